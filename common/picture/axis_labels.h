@@ -13,7 +13,7 @@ struct axis_labels {
     int cell; // side of a cell, pixels
 };
 
-// Bind the texture to the active unit, and redraw it if the size of its cells has changed.
+// Bind the texture to the active texture unit, and redraw it if the size of its cells has changed.
 //   cell  side of a cell in pixels, at least 1
 void axis_labels_bind(struct axis_labels *labels, const struct gl *gl, int cell);
 

@@ -9,7 +9,7 @@
 #include "platform.h"
 #include "report.h"
 
-// The GPU's own timer.
+// The GPU's timer.
 struct timer {
 // Types and lists of parameters cannot have parentheses. NOLINTNEXTLINE(bugprone-macro-parentheses)
 #define TIMER_MEMBER(type, name, arguments) type(*name) arguments;
@@ -33,7 +33,7 @@ static struct benchmark_span since(const struct benchmark_span *begin)
     return span;
 }
 
-// A software rasteriser has no clock of its own.
+// True for a software rasteriser, which has no GPU clock.
 static bool is_software(const struct gl *gl)
 {
     static const char *const names[] = {"llvmpipe", "softpipe", "swrast", "SWR", "Software"};
@@ -72,7 +72,8 @@ bool benchmark_load(struct benchmark *benchmark, struct renderer *renderer,
     return true;
 }
 
-//   timer  NULL without a GPU's clock
+// Draw and time one frame.
+//   timer  NULL if there is no GPU clock
 static bool draw_frame(const struct benchmark *benchmark, struct renderer *renderer,
                        const struct timer *timer, struct benchmark_span *span)
 {
@@ -142,7 +143,7 @@ static bool draw_counts(struct renderer *renderer, const struct renderer_inputs 
 }
 
 // Compare the marches with the bounds.
-//   counts  drawn with the coarse pass
+//   counts  drawn with the coarse pass, if there is one
 //   alone   drawn without the coarse pass; the bounds are taken from these
 //   shared  evaluations of the coarse pass per pixel
 static struct benchmark_cover cover_of(const float *counts, const float *alone, double shared,
@@ -169,7 +170,7 @@ static struct benchmark_cover cover_of(const float *counts, const float *alone, 
     return cover;
 }
 
-// Count the evaluations of the coarse pass per pixel, and draw the counts without it.
+// Count the evaluations of the coarse pass per pixel, and draw the counts again without the pass.
 static bool count_coarse(struct renderer *renderer, const struct renderer_inputs *inputs,
                          float *values, double *shared)
 {
@@ -188,6 +189,7 @@ static bool count_coarse(struct renderer *renderer, const struct renderer_inputs
     return done;
 }
 
+// Sum up the evaluations of all pixels.
 //   each  room for one number per pixel
 static void sum_up(struct benchmark *benchmark, const float *counts, double shared, size_t pixels,
                    double *each)

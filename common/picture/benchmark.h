@@ -16,7 +16,7 @@
 // The clocks that time a piece of work, in seconds.
 enum benchmark_clock {
     BENCHMARK_CPU,  // processor time of this process, in all its threads
-    BENCHMARK_WALL, // elapsed time, for which a person waits
+    BENCHMARK_WALL, // elapsed time, during which a person waits
     BENCHMARK_GPU,  // GL_TIME_ELAPSED; 0 without a graphics card
     BENCHMARK_CLOCKS
 };
@@ -28,7 +28,7 @@ struct benchmark_span {
 // The evaluations of marches, and a lower bound for any march with the same result, as
 // shaders/cover.glsl defines it. The evaluations of a coarse pass, which marches for many rays at
 // once, are divided among all pixels. The bound is for a single ray, so a march with a coarse pass
-// may be below it.
+// may take fewer evaluations.
 struct benchmark_cover {
     int rays;                // number of rays that were compared; 0 if unknown
     double march, bound;     // evaluations per ray, averaged over these rays
@@ -36,20 +36,20 @@ struct benchmark_cover {
 };
 
 struct benchmark {
-    // Given.
+    // Set by the caller.
     const char *shader; // the shader's name, for the report
     int frames;
     struct renderer_inputs inputs;
-    // Measured.
+    // Set by benchmark_load and benchmark_run.
     char backend[512];                              // from context_describe
-    bool has_gpu;                                   // the GPU's clock was read
-    struct benchmark_span compile, first;           // without the drivers' caches
-    struct benchmark_span median, minimum, maximum; // of the timed frames, for each clock
+    bool has_gpu;                                   // the GPU's clock could be read
+    struct benchmark_span compile, first;           // with the drivers' caches switched off
+    struct benchmark_span median, minimum, maximum; // over the timed frames, for each clock
     bool has_evaluations;                           // only the course's dialect counts them
     // Evaluations per pixel: the mean, which includes the coarse pass, and the 99th percentile and
     // the maximum, which do not.
     double mean, percentile, most;
-    struct benchmark_cover cover; // of each pixel's first march, from the same counts
+    struct benchmark_cover cover; // for the first marches of a grid of pixels, from the same counts
 };
 
 struct benchmark_spread {
@@ -57,16 +57,16 @@ struct benchmark_spread {
 };
 
 // The spread of some values; the median of an even number of values is the mean of the middle two.
-//   values  count of them, at least 1; they are sorted
+//   values  an array of count values, at least 1, which the call sorts
 struct benchmark_spread benchmark_spread_of(double *values, int count);
 
-// Call renderer_load, and time it.
+// Call renderer_load, time the call, and return its result.
 bool benchmark_load(struct benchmark *benchmark, struct renderer *renderer,
                     struct shader_source *source, struct parameters *parameters);
 
 // Draw the warm-up frames and the timed frames; then count evaluations on the GPU.
-//   benchmark  with shader, frames (at least 1) and inputs set, after benchmark_load
-//   context    of the renderer
+//   benchmark  its shader, frames (at least 1) and inputs are set, and benchmark_load has run
+//   context    the renderer's context
 // Returns false after reporting the error.
 bool benchmark_run(struct benchmark *benchmark, const struct context *context,
                    struct renderer *renderer);

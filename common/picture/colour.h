@@ -10,12 +10,12 @@ double colour_encode(double light);
 
 // The colour with hue h, saturation s and value v, as chapter 04 derives it:
 // v (1 + s (clamp(|6 fract(h + (0, 2, 1) / 3) - 3| - 1, 0, 1) - 1)).
-//   hsv  h in turns, s and v, 0 to 1 each
-//   rgb  receives it, 0 to 1 each
+//   hsv  h in turns, s and v; 0 to 1 each
+//   rgb  receives red, green and blue; 0 to 1 each
 void colour_of_hue(const double hsv[3], double rgb[3]);
 
-// The inverse of colour_of_hue. For a grey, hsv keeps the hue that it had; for black, also its
-// saturation.
+// The inverse of colour_of_hue. For a grey, hsv keeps its previous hue; for black, also its
+// previous saturation.
 void colour_hue_of(const double rgb[3], double hsv[3]);
 
 #endif

@@ -7,7 +7,7 @@
 #include "memory.h"
 #include "picture/pen.h"
 
-#define GAP         6.0f  // units from the divider to a label
+#define GAP         6.0f  // distance from the divider to a label, units
 #define NARROW      24.0f // units; a label with less room is left out
 #define GRIP_WIDTH  5.0f
 #define GRIP_HEIGHT 22.0f
@@ -29,7 +29,7 @@ static bool is_own(const struct comparison *comparison, const char *name)
     return false;
 }
 
-// The parameters of the second picture; NULL if there is none.
+// The parameters of the second picture; NULL if there is no second picture.
 static const struct parameters *second_of(const struct renderer *renderer)
 {
     return renderer->comparison != NULL ? &renderer->comparison->other->parameters : NULL;
@@ -125,7 +125,7 @@ static bool is_changed(const struct parameter *parameter)
 }
 
 // True if a side's label shows this parameter: the second sets it itself, or only the second has
-// it, with a value other than its file's.
+// it, with a value other than that in its file.
 static bool is_shown(const struct renderer *renderer, int side, const struct parameter *parameter)
 {
     if (is_own(renderer->comparison, parameter->name))
@@ -149,7 +149,7 @@ void comparison_text(const struct renderer *renderer, int side, char *text, size
     }
 }
 
-// Shorten a text until it fits into a width, and end it with an ellipsis.
+// If a text is wider than the room, shorten it and end it with an ellipsis.
 static void fit(char *text, float room)
 {
     size_t length = strlen(text);
@@ -158,7 +158,7 @@ static void fit(char *text, float room)
     while (length > 0 && overlay_width(text) + overlay_width("…") > room) {
         length--;
         while (length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80)
-            length--; // not between the bytes of a letter
+            length--; // never cut between the bytes of a letter
         text[length] = '\0';
     }
     strcat(text, "…");
@@ -166,7 +166,7 @@ static void fit(char *text, float room)
 
 // Write one label.
 //   edge  the label's edge beside the divider, units
-//   room  units from there to the picture's edge
+//   room  units from that edge to the picture's edge
 static void write_label(const struct renderer *renderer, struct overlay *overlay, int side,
                         float edge, float room, float top)
 {
@@ -201,7 +201,7 @@ float comparison_write(const struct renderer *renderer, struct overlay *overlay,
     if (comparison == NULL)
         return bottom;
     float width = pen_picture_width(overlay);
-    if (renderer->view == SHADER_PLOT) // above its graph
+    if (renderer->view == SHADER_PLOT) // keep the labels above the plot's graph
         bottom = fminf(bottom, (1.0f - SLICE_PLOT) * pen_picture_height(overlay) - PEN_MARGIN);
     float at = (float)renderer_split(renderer, overlay->width) / overlay->scale;
     float label = bottom - (OVERLAY_LINE - 2.0f) - 2.0f * PEN_PADDING;

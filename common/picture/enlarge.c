@@ -28,13 +28,13 @@ static const char bilinear_text[] = "vec3 filtered(ivec4 x, ivec4 y, vec2 f)\n"
                                     "    return mix(low, high, f.y);\n"
                                     "}\n";
 
-// For one of the 4 nearest texels, look adds the slope of the light, and 1 for a single edge or 0
-// for a thin line, along which the kernel must not lie; both have the texel's bilinear weight. add
-// adds one texel to the mean: its offset is rotated so that x points up the slope and y along the
-// edge, and scaled so that the kernel reaches 4 texels along the edge and at most 2 across it. The
-// kernel is (25/16 (2/5 r - 1)^2 - 9/16) (0.21 r - 1)^2, where r is the length squared; it
-// approximates the Lanczos kernel of order 2 without sines. Where there is no single edge, the
-// bilinear mean is used.
+// For one of the 4 nearest texels, look adds the slope of the light, and a value that is 1 at a
+// single edge and 0 at a thin line, where the kernel must not be used. Both are multiplied by the
+// texel's bilinear weight. add adds one texel to the mean: its offset is rotated so that x points
+// up the slope and y along the edge, and scaled so that the kernel reaches about 4 texels along the
+// edge and at most about 2 across it. The kernel is (25/16 (2/5 r - 1)^2 - 9/16) (0.21 r - 1)^2,
+// where r is the length squared; it approximates the Lanczos kernel of order 2 without sines. Where
+// there is no single edge, the bilinear mean is used.
 static const char edge_text[] =
     "vec2 slope;\n"
     "float single;\n"
@@ -116,7 +116,8 @@ static GLuint link_program(const struct gl *gl, const char *text)
     return target_program(gl, "enlarging", target_vertex, fragment);
 }
 
-// Make a copy with 8 bits per channel, which is clamped to [0, 1] and faster to read.
+// Copy the target's picture with 8 bits per channel, so that the copy is clamped to [0, 1] and
+// faster to read.
 static bool copy_target(struct enlarge *enlarge, const struct gl *gl, const struct target *target)
 {
     int width = target->width, height = target->height;

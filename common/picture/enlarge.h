@@ -6,16 +6,18 @@
 // filters are weighted means of the texels around q, with weights that add up to 1, so a uniform
 // picture does not change.
 //
-//   bilinear   4 texels, with weights that are linear in x and y: no blocks, but blurred
-//   edge       12 texels: a Lanczos kernel that is turned along the edge through q, longer along
-//              the edge and shorter across it, with the result limited to the range of the 4
-//              nearest texels: sharp edges without stairs, and no ringing beside them
+//   bilinear   uses 4 texels, with weights that are linear in x and y. There are no blocks, but the
+//              picture is blurred
+//   edge       uses 12 texels, with a Lanczos kernel that is turned along the edge through q,
+//              longer along the edge and shorter across it. The result is limited to the range of
+//              the 4 nearest texels. Edges are sharp, without stairs and without ringing beside
+//              them
 //
 // `build/tests/measure enlarge` prints errors and costs. At half the resolution, five chapters
 // differ from their pictures at full resolution by 9.87 (bilinear) and 9.59 (edge) of 255, root
 // mean square; the outlines and shadows of chapter 03 differ by 8.20 and 7.38. At a quarter, the
 // outlines of chapter 21 have visible stairs with the bilinear filter. To fill 640x360 pixels on
-// llvmpipe, the filters take 0.16 and 0.48 of the time in which the annex scene is drawn. So a
+// llvmpipe, the filters take 0.16 and 0.48 of the time that drawing the annex scene takes. So a
 // window uses the edge filter, and the bilinear filter where the edge filter would take too long.
 //
 // Source: the edge filter follows the idea of EASU in AMD FidelityFX Super Resolution 1.0 (T.
@@ -33,13 +35,14 @@ enum enlarge_filter { ENLARGE_BILINEAR, ENLARGE_EDGE, ENLARGE_FILTERS };
 struct enlarge {
     GLuint program[ENLARGE_FILTERS], vertex_array;
     GLint step[ENLARGE_FILTERS]; // location of the uniform step
-    struct target copy;          // of the small picture, 8 bits per channel
+    struct target copy;          // copy of the small picture, 8 bits per channel
 };
 
 // Fill the framebuffer that is bound for drawing with a target's picture, clamped to [0, 1].
-//   target         of any size
-//   width, height  of the framebuffer, pixels
-// Returns false after reporting the error if the driver rejects the program.
+//   target         the small picture, of any size
+//   width, height  size of the framebuffer, pixels
+// Returns false after reporting the error if the driver rejects the program or has no target for a
+// copy of the picture.
 bool enlarge_draw(struct enlarge *enlarge, const struct gl *gl, enum enlarge_filter filter,
                   const struct target *target, int width, int height);
 

@@ -3,12 +3,12 @@
 #include <math.h>
 #include <string.h>
 
-#define POINTS  3      // of each handle: the handle itself, and one along either axis
-#define OFFSET  0.01f  // of the other two, as a fraction of the distance to the camera
+#define POINTS  3      // points per handle: the handle itself, and one along either axis
+#define OFFSET  0.01f  // offset of the other two, as a fraction of the distance to the camera
 #define GRID    1000.0 // values per scene unit
 #define STEP    0.125  // longest step of Newton's method, as a fraction of the picture's height
-#define ROUNDS  24     // steps, at most
-#define ARRIVED 0.25   // the method stops this near to the pointer, pixels
+#define ROUNDS  24     // most steps of the method
+#define ARRIVED 0.25   // distance from the pointer at which the method stops, pixels
 
 // The point of a handle in space.
 static void point_of(const struct parameter *parameter, float point[3])
@@ -40,7 +40,7 @@ static float offset_of(const float point[3], const struct camera *camera)
     return OFFSET * fmaxf(away, 0.1f);
 }
 
-// Find the pixels of points: x and y, and 1 if a ray passes through the point.
+// Find the pixels of points: x and y, then 1 if a ray passes through the point, otherwise 0.
 static bool find_pixels(struct renderer *renderer, const struct renderer_inputs *inputs, int count,
                         const float *point, float *pixel)
 {
@@ -104,7 +104,7 @@ static bool move(const struct handle *handle, const double by[2])
     const double along[2] = {(by[0] * b[1] - by[1] * b[0]) / determinant,
                              (a[0] * by[1] - a[1] * by[0]) / determinant};
     for (int i = 0; i < p->components; i++) {
-        int c = i == 1 && p->components == 2 && p->handle == HANDLE_XZ ? 2 : i; // of the scene
+        int c = i == 1 && p->components == 2 && p->handle == HANDLE_XZ ? 2 : i; // scene coordinate
         double value = p->value[i] + along[0] * (double)handle->axis[0][c] +
                        along[1] * (double)handle->axis[1][c];
         value = fmin(fmax(round(GRID * value) / GRID, p->minimum), p->maximum);

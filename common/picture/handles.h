@@ -5,35 +5,35 @@
 
 #include "picture/renderer.h"
 
-enum { HANDLES_MOST = 8 }; // in one shader; further ones cannot be dragged
+enum { HANDLES_MOST = 8 }; // most handles of one shader; further ones cannot be dragged
 
 // A handle in a picture. Pixels are counted from the bottom left of the whole picture.
 struct handle {
     struct parameter *parameter; // not owned
-    float pixel[2];              // its position
-    float move[2][2]; // pixels that it moves per scene unit along either axis of its plane
-    float axis[2][3]; // these axes: unit vectors of the scene
-    bool seen;        // a ray of the picture passes through it; otherwise the rest is undefined
+    float pixel[2];              // position of the handle
+    float move[2][2]; // pixels that the handle moves per scene unit along either axis of its plane
+    float axis[2][3]; // unit vectors along these axes, in the scene's coordinates
+    bool seen;        // a ray passes through the handle; otherwise pixel and move are undefined
 };
 
-// Find the handles of a renderer's shader in a picture, whatever its pixelRay.
+// Find the handles of a renderer's shader in a picture, whatever the shader's pixelRay.
 //   formula  shaders/places.glsl finds the pixels of the points p, p + e a and p + e b, where a and
 //            b are the axes, and e is a hundredth of the distance to the camera; move is the
 //            difference divided by e, which is the derivative up to terms of order e
-// Returns their number, or -1 after reporting the error.
+// Returns the number of handles, or -1 after reporting the error.
 int handles_find(struct renderer *renderer, const struct renderer_inputs *inputs,
                  struct handle handle[HANDLES_MOST]);
 
-// Move a handle in its plane to a pixel, or as close as its range allows, and find all of them
+// Move a handle in its plane to a pixel, or as close as its range allows, and find all handles
 // again.
-//   handle   as handles_find left them
-//   moved    the index of the one to move
+//   handle   the handles, as handles_find left them
+//   moved    the index of the handle to move
 //   to       the pixel, from the bottom left
-//   formula  Newton's method, with steps of at most an eighth of the picture's height, so that
-//            perspective does not throw the handle behind the camera. A step that loses the handle
+//   formula  Newton's method, with steps of at most an eighth of the picture's height, so that in
+//            perspective the handle does not jump behind the camera. A step that loses the handle
 //            is undone, and later steps are at most a quarter as long. Values are rounded to a
 //            thousandth of a unit
-// Returns true if its value changed.
+// Returns true if the handle's value changed.
 bool handles_drag(struct renderer *renderer, const struct renderer_inputs *inputs,
                   struct handle handle[HANDLES_MOST], int moved, const double to[2]);
 

@@ -25,7 +25,7 @@ void image_free(struct image *image)
     *image = (struct image){0};
 }
 
-// A NaN becomes 0, because the comparison is false for it.
+// A NaN becomes 0, because any comparison with a NaN is false.
 static unsigned char byte_of(float value)
 {
     float positive = value > 0.0f ? value : 0.0f;

@@ -8,7 +8,7 @@
 
 #include "shader/text_file.h"
 
-// An error handler must not return to libpng: it jumps to the call of setjmp.
+// An error handler must not return to libpng, so this one jumps to the call of setjmp.
 static void on_png_error(png_structp png, png_const_charp text)
 {
     snprintf(png_get_error_ptr(png), IMAGE_WHY, "cannot be read: %s: save it again as a PNG", text);
@@ -28,14 +28,14 @@ static void on_png_warning(png_structp png, png_const_charp text)
 
 // Read any kind of PNG as 8 bits per channel and the number of channels asked for, without applying
 // gamma. Texts and colour profiles are skipped, because libpng would allocate as much memory as a
-// damaged one claims to need, up to 2 GB. May leave with longjmp.
+// damaged chunk claims to need, up to 2 GB. May exit through longjmp.
 static void read_pixels(png_structp png, png_infop info, struct image_bytes *bytes, size_t most)
 {
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, NULL, -1);
     png_read_info(png, info);
     size_t width = png_get_image_width(png, info), height = png_get_image_height(png, info);
     if (width > IMAGE_SIDE_LIMIT || height > IMAGE_SIDE_LIMIT)
-        refuse(png, "a side is longer than 16384 pixels: make it smaller");
+        refuse(png, "a side is longer than 16384 pixels: make the picture smaller");
     if (width * height > most)
         refuse(png, "too many pixels: make its sides half as long");
     png_set_scale_16(png);
@@ -54,7 +54,7 @@ static void read_pixels(png_structp png, png_infop info, struct image_bytes *byt
     bytes->width = (int)width;
     bytes->height = (int)height;
     if (png_get_rowbytes(png, info) != row)
-        png_error(png, "a kind of PNG that is not understood");
+        png_error(png, "an unsupported kind of PNG");
     for (int pass = 0; pass < passes; pass++)
         for (size_t y = 0; y < height; y++)
             png_read_row(png, bytes->value + y * row, NULL);

@@ -15,13 +15,13 @@ static const float INSPECTOR_WIDTH = 176.0f, WHY_WIDTH = 292.0f;
 // ---- The size of the table ----
 
 struct table {
-    int rows, first; // number of rows, and the step of the first one
-    bool titles;     // above the columns
-    bool whole;      // with the cost of the ray, and its colour
-    float lines;     // of the whole table
+    int rows, first; // number of rows, and the index of the first step
+    bool titles;     // there are titles above the columns
+    bool whole;      // the cost of the ray and its colour are included
+    float lines;     // lines of the whole table
 };
 
-// The current row; -1 if there is none.
+// The row of the current step; -1 if there is none.
 static int row_of(const struct inspector *inspector)
 {
     int last = probe_rows(inspector->probe) - 1;
@@ -29,7 +29,7 @@ static int row_of(const struct inspector *inspector)
     return row > last ? last : row;
 }
 
-// If there is little room, the cost is left out first, then the titles.
+// If there is little room, the cost and the colour are left out first, then the titles.
 static struct table table_of(const struct inspector *inspector, const struct inspector_room *room)
 {
     int all = probe_rows(inspector->probe), row = row_of(inspector);
@@ -41,7 +41,7 @@ static struct table table_of(const struct inspector *inspector, const struct ins
     table.rows = lines - (int)beside < all ? lines - (int)beside : all;
     if (table.rows < (all > 0 ? 1 : 0))
         return (struct table){0};
-    // The current row is in the middle; without one, the last rows are shown.
+    // The current row is in the middle; if there is none, the last rows are shown.
     table.first = row < 0 ? all - table.rows : row - table.rows / 2;
     table.first = table.first > all - table.rows ? all - table.rows : table.first;
     table.first = table.first < 0 ? 0 : table.first;
@@ -60,7 +60,7 @@ static void position_of(const struct overlay *overlay, const float pixel[2], flo
 
 static void mark_pixel(struct overlay *overlay, const int pixel[2])
 {
-    // Four arms that leave the pixel uncovered; their dark edges show in bright pictures.
+    // Four arms leave the pixel uncovered; their dark edges make them visible in bright pictures.
     static const float arms[4][4] = {{-8, 0, 5, 1}, {4, 0, 5, 1}, {0, -8, 1, 5}, {0, 4, 1, 5}};
     float x = ((float)pixel[0] + 0.5f) / overlay->scale - 0.5f;
     float y = ((float)(overlay->height - 1 - pixel[1]) + 0.5f) / overlay->scale - 0.5f;
@@ -158,8 +158,8 @@ static void extend(float span[2], float left, float right, float x, float y)
     span[1] = fmaxf(span[1], y + CLEAR);
 }
 
-// The vertical range of the ray between two edges of a column: span[0] to span[1]. The second is
-// the smaller one if the ray does not cross the column.
+// Find the vertical range of the ray between the edges of a column: span[0] to span[1]. If the ray
+// does not cross the column, span[1] is smaller than span[0].
 static void find_span(const struct overlay *overlay, const struct inspector *inspector, float left,
                       float right, float span[2])
 {
@@ -238,7 +238,7 @@ static void write_step(struct pen *pen, const char *const cell[STEP_COLUMNS],
     pen->top += OVERLAY_LINE;
 }
 
-// The current row has a band and a mark, and not only another colour.
+// The current row has a band and a mark, so that it differs not only in colour.
 static void write_steps(struct pen *pen, const struct inspector *inspector,
                         const struct table *table)
 {
@@ -273,7 +273,7 @@ static void write_cost(struct pen *pen, const struct probe *probe)
     pen_write(pen, text, PEN_PLAIN);
 }
 
-// Write the heading: the ray of the table, and the current step.
+// The heading: the ray of the table, and the current step.
 static void heading_of(const struct inspector *inspector, const struct table *table, char *text,
                        size_t size)
 {
@@ -285,7 +285,7 @@ static void heading_of(const struct inspector *inspector, const struct table *ta
     if (row >= 0)
         snprintf(step, sizeof step, ": step %d of %d", row, all - 1);
     if (row >= 0 && inspector->side != NULL)
-        what = ""; // too long otherwise
+        what = ""; // the heading would be too long otherwise
     snprintf(text, size, "%spixel %d, %d%s%s", what, inspector->pixel[0], inspector->pixel[1], side,
              step);
 }

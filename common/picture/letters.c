@@ -44,7 +44,7 @@ uint32_t letters_next(const char **text)
 
 float letters_advance(uint32_t code)
 {
-    static float known[128]; // advances of ASCII, the most common characters
+    static float known[128]; // advances of the ASCII characters, which are the most common
     int advance, bearing;
     if (code < 128 && known[code] > 0.0f)
         return known[code];

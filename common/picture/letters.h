@@ -10,30 +10,30 @@
 #include <stdint.h>
 
 #define LETTERS_EM       10.0f // size of the font: a capital is 7.3 units high
-#define LETTERS_BASELINE 8.0f  // from the top of a text to its baseline
+#define LETTERS_BASELINE 8.0f  // distance from the top of a line of text to its baseline
 
 enum {
     LETTERS_PHASES = 4, // a letter begins at a multiple of a quarter pixel
-    LETTERS_ROW = 1024  // width of the atlas in pixels, which every OpenGL allows
+    LETTERS_ROW = 1024  // width of the atlas in pixels, which every OpenGL driver supports
 };
 
 // The TrueType file, which the Makefile turns into an array.
 extern const unsigned char letters_font[];
 
 // Read the next character of a text, and move text past it.
-//   text  UTF-8; not at its end
-// Returns its code; a space for a tab; and 0xFFFD, a question mark in a diamond, for bytes that are
-// not UTF-8 and for control characters.
+//   text  UTF-8; must not be at its end
+// Returns the character's code, but a space for a tab, and 0xFFFD, a question mark in a diamond,
+// for bytes that are not UTF-8 and for control characters.
 uint32_t letters_next(const char **text);
 
-// The distance from a letter to the next one, in units, > 0.
+// The distance from the beginning of a letter to that of the next one, in units, > 0.
 float letters_advance(uint32_t code);
 
 // The image of a letter.
 struct letter {
-    int left, top;     // from its origin on the baseline to the image's top left, pixels; y down
+    int left, top;     // from the letter's origin on the baseline to the top left, pixels; y down
     int width, height; // pixels; 0 for a space
-    int x, y;          // in the atlas
+    int x, y;          // position of the image in the atlas, pixels
 };
 
 // An atlas of letters at one scale, each drawn when it is first needed. A struct of zeros is empty.
@@ -41,7 +41,7 @@ struct letters {
     float scale;          // pixels per unit
     unsigned char *pixel; // owned: LETTERS_ROW x rows, row 0 on top; 255 where completely covered
     int rows;
-    bool grown;                  // has new images since the caller set it to false
+    bool grown;                  // images were added since the caller last set this to false
     struct letters_known *known; // owned
     int count;
     int right, top, bottom; // left and top of the next image, and top of the next row of images

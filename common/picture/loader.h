@@ -12,12 +12,12 @@ struct loader {
     const char *path;              // the shader's file; not owned
     const char *root;              // the project's folder; not owned
     struct shader_request request; // used each time the file is read
-    struct shader_source source;   // what was read, until the renderer takes it over
+    struct shader_source source;   // the shader that was read, until the renderer takes it over
     struct parameters parameters;
     struct renderer renderer;
 };
 
-// Read the file and its parameters. What an earlier call left there is freed; the renderer does not
+// Read the file and its parameters, and free those of an earlier call. The renderer does not
 // change.
 // Returns false after reporting the error.
 bool loader_read(struct loader *loader);
@@ -30,11 +30,12 @@ void loader_begin(const struct loader *loader);
 // Returns false after reporting the error; then the renderer still draws the last good shader.
 bool loader_compile(struct loader *loader);
 
-// As loader_compile, but if the renderer already has exactly this shader, it only receives the
-// parameters that were read, and its view is linked.
+// Do the same as loader_compile, unless the renderer already has exactly this shader: then only
+// give the parameters that were read to the renderer, and link its view.
 bool loader_update(struct loader *loader);
 
-// Free everything, and close the renderer in the context in which it was opened.
+// Free everything, and close the renderer. The context must be that in which the renderer was
+// opened.
 void loader_close(struct loader *loader);
 
 #endif

@@ -12,8 +12,8 @@
 // One instance: a box, a letter's image, or a line from (left, low) to (right, high).
 struct shape {
     float left, low, right, high; // pixels from the target's bottom left
-    float letter[2];              // top left of its image in the atlas; -1 if it is not a letter
-    float width;                  // of a line, pixels; 0 if it is not a line
+    float letter[2];              // top left of the letter's image in the atlas; -1 if not a letter
+    float width;                  // width of a line, pixels; 0 if there is no line
     unsigned char colour[4];      // red, green, blue, opacity
 };
 
@@ -43,7 +43,7 @@ static const char vertex_text[] =
             "    gl_Position = vec4(2.0 * at / size - 1.0, 0.0, 1.0);\n"
             "}\n";
 
-// Finds the fraction of the pixel that the shape covers.
+// The fragment shader finds the fraction of the pixel that the shape covers.
 static const char fragment_text[] =
     GL_GLSL "uniform sampler2D letters;\n"
             "flat in vec4 shapeEnds, shapeTint;\n"
@@ -160,8 +160,9 @@ void overlay_text(struct overlay *overlay, float left, float top, const char *te
     }
 }
 
-// A letter begins at the nearest quarter of a pixel, and its baseline is at a whole pixel.
-//   up  pixels from the target's bottom row to the picture's top
+// The shape of a rectangle. A letter begins at the nearest quarter of a pixel, and its baseline is
+// at a whole pixel.
+//   up  pixels from the target's bottom edge to the picture's top
 static struct shape shape_of(const struct overlay *overlay,
                              const struct overlay_rectangle *rectangle, float up)
 {

@@ -1,8 +1,8 @@
 // overlay.h - text, boxes and lines over a picture.
 //
 // A frame starts with overlay_begin, collects boxes, texts and lines, and is drawn as often as
-// needed. Positions are in units of the scale, from the picture's top left, y down: at scale 2 a
-// unit is two pixels wide.
+// needed. Positions are in units, from the picture's top left, y down. The scale is the number of
+// pixels per unit.
 #ifndef OVERLAY_H
 #define OVERLAY_H
 
@@ -13,7 +13,7 @@
 #include "picture/letters.h"
 
 #define OVERLAY_LINE          12.0f // units from one line of text to the next
-#define OVERLAY_TEXT          200   // bytes of one line of text; the rest is left out
+#define OVERLAY_TEXT          200   // most bytes of one line of text; the rest is left out
 #define OVERLAY_SCALE_MINIMUM 0.5
 #define OVERLAY_SCALE_MAXIMUM 8.0
 
@@ -22,23 +22,23 @@ struct overlay_colour {
     unsigned char channel[4];
 };
 
-// An axis-parallel box, the cell of one letter in its line, or a straight line.
+// An axis-aligned box, the cell of one letter in its line, or a straight line.
 struct overlay_rectangle {
     float left, top, right, bottom; // units; for a line, its two ends
     struct overlay_colour colour;
-    uint32_t letter; // its code; 0 for a box or a line
-    float width;     // of a line, units; 0 if there is no line
+    uint32_t letter; // the letter's code; 0 for a box or a line
+    float width;     // width of a line, units; 0 for a box or a letter
 };
 
 struct overlay {
     const struct gl *gl;
     GLuint program, vertex_array, buffer, texture;
-    GLint size;                          // location of the picture's size
+    GLint size;                          // location of the uniform size
     float scale;                         // pixels per unit
-    int width, height;                   // of the picture, pixels
-    struct overlay_rectangle *rectangle; // owned: this frame's boxes and letters
+    int width, height;                   // size of the picture, pixels
+    struct overlay_rectangle *rectangle; // owned: this frame's boxes, letters and lines
     int count;
-    struct letters *letters; // owned: their images at this scale
+    struct letters *letters; // owned: the images of the letters at this scale
 };
 
 // Link the program that draws a frame's boxes, lines and letters.
@@ -50,11 +50,11 @@ bool overlay_open(struct overlay *overlay, const struct gl *gl);
 void overlay_close(struct overlay *overlay);
 
 // The default scale of a picture of this height in pixels: 1 up to 480, and 0.5 more for each
-// further 180 pixels or part of them.
+// further 180 pixels or part of them, but at most OVERLAY_SCALE_MAXIMUM.
 float overlay_scale_of(int height);
 
 // Start an empty frame.
-//   width, height  of the whole picture, pixels
+//   width, height  size of the whole picture, pixels
 //   scale          pixels per unit, OVERLAY_SCALE_MINIMUM to OVERLAY_SCALE_MAXIMUM
 void overlay_begin(struct overlay *overlay, int width, int height, float scale);
 
@@ -65,7 +65,7 @@ void overlay_box(struct overlay *overlay, float left, float top, float width, fl
 void overlay_text(struct overlay *overlay, float left, float top, const char *text,
                   struct overlay_colour colour);
 
-// Add a straight line with round ends; a disc if the ends are equal.
+// Add a straight line with round ends. If both ends are equal, the line is a disc.
 //   width  units, > 0
 void overlay_line(struct overlay *overlay, const float from[2], const float to[2], float width,
                   struct overlay_colour colour);

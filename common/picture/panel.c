@@ -9,10 +9,10 @@
 #include "picture/pen.h"
 #include "picture/picker.h"
 
-#define GAP       12.0f  // units of the overlay, between keys
-#define LEGEND    18.0f  // height of the legend of the step view, in cells, as in views.glsl
-#define TIP_WIDTH 170.0f // of the help, units, at most
-// The lower edge of the title's panel, and a margin; panels at the bottom stay below it.
+#define GAP       12.0f  // distance between keys, units of the overlay
+#define LEGEND    18.0f  // top of the step view's legend, in cells, as in views.glsl
+#define TIP_WIDTH 170.0f // largest width of the help, units
+// The lower edge of the title's panel plus a margin; panels at the bottom stay below this.
 #define BELOW_TITLE (2.0f * (PEN_MARGIN + PEN_PADDING) + OVERLAY_LINE - 2.0f)
 
 // ---- Error ----
@@ -22,7 +22,7 @@ static float widest_text(const struct overlay *overlay)
     return pen_picture_width(overlay) - 2.0f * (PEN_MARGIN + PEN_PADDING);
 }
 
-// The error; if there is none, the note on an input without a value; otherwise "".
+// The error or, if there is none, the note on an input without a value; "" if there is neither.
 static const char *words_of(const struct panel *panel)
 {
     if (panel->error != NULL && panel->error[0] != '\0')
@@ -30,7 +30,7 @@ static const char *words_of(const struct panel *panel)
     return panel->unset != NULL && !panel->folded ? panel->unset : "";
 }
 
-// The number of lines of the error that are shown: they fill at most half of the picture.
+// The number of lines of the error that are shown. They fill at most half of the picture's height.
 static int error_lines(const struct panel *panel, const struct overlay *overlay)
 {
     char line[OVERLAY_TEXT + 1];
@@ -124,8 +124,8 @@ static float write_caption(const struct panel *panel, struct overlay *overlay)
     return top - PEN_MARGIN;
 }
 
-// Draw the keys above this bottom, unless the error leaves no room for them. Returns the bottom of
-// the room that remains.
+// Draw the keys above bottom, unless the error leaves no room for them. Returns the bottom of the
+// room that remains.
 static float write_keys(const struct panel *panel, struct overlay *overlay, float bottom)
 {
     float widest;
@@ -205,7 +205,7 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
     float third = pen_picture_width(overlay) * pen_picture_height(overlay) / 3.0f;
     if (panel->rows != NULL && rows->width * rows->height > third)
         panel_rows_build(rows, panel, room, fminf(lowest, PEN_MARGIN + third / rows->width));
-    // If there is no room for both the panel and the selected ray, only the ray is shown.
+    // If there is no room for both the panel and the selected ray's march, only the march is shown.
     if ((panel->folded && !panel->peeks) ||
         (rows->width - 2.0f * PEN_PADDING > room && (marched || refused)))
         rows->count = 0;

@@ -5,8 +5,8 @@
 
 #include "picture/panel_rows.h"
 
-// Begin a frame of the overlay with the panels.
-//   width, height  of the whole picture, pixels
+// Begin a frame of the overlay, and add the panels.
+//   width, height  size of the whole picture, pixels
 //   scale          as for overlay_begin
 void panel_gather(const struct panel *panel, struct overlay *overlay, int width, int height,
                   float scale);

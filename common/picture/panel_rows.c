@@ -24,7 +24,8 @@ static struct panel_row *add(struct panel_rows *rows, enum panel_row_kind kind, 
     return row;
 }
 
-// If there are parameters with both of these units, the picture's time drives an hour of the day.
+// Add the hour of the day, which the picture's time determines if there are parameters with both of
+// the units below.
 static void add_hour(const struct panel *panel, char text[PANEL_CELL])
 {
     const struct parameters *all = &panel->renderer->parameters;
@@ -80,7 +81,8 @@ static void add_buttons(struct panel_rows *rows, const struct panel *panel)
     snprintf(row->cell[PANEL_HIDE], PANEL_CELL, "hide");
 }
 
-// With two slices or plots, say whose march is where.
+// With two slices or plots, say that each side shows its own march, and whose march is in the
+// table.
 static void marches_text(const struct panel *panel, char text[PANEL_CELL])
 {
     bool two = panel->renderer->comparison != NULL && shader_shows_ray(panel->renderer->view);
@@ -148,7 +150,7 @@ static void add_parts(struct panel_rows *rows, const struct parameter *parameter
     }
 }
 
-// A colour has a swatch if there is a pointer to click on it.
+// A colour has a swatch only if there is a pointer that can click on it.
 static bool has_swatch(const struct panel *panel, const struct parameter *parameter)
 {
     return panel->rows != NULL && parameter_is_colour(parameter);
@@ -194,9 +196,9 @@ static float height_of_panel(const struct panel_rows *rows)
     return height;
 }
 
-// Keep as many of the parameters' rows, [first, end), as fit: the selected one stays visible, with
-// everything that belongs to it. One more row says which are shown.
-//   parameters  their total number
+// Keep as many of the parameters' rows, [first, end), as fit. The selected parameter stays visible,
+// with all its rows if there is room. One more row says which parameters are shown.
+//   parameters  the total number of parameters
 static void cut(struct panel_rows *rows, int first, int end, float bottom, int parameters)
 {
     int count = end - first, top = count, behind = 0, from = 0, to = -1;
@@ -349,7 +351,7 @@ bool panel_rows_hold(const struct panel_rows *rows, float x, float y)
 
 const struct panel_row *panel_rows_at(const struct panel_rows *rows, float x, float y)
 {
-    // A row's letters are in its middle, so the row begins a little above them.
+    // A row's letters are in the middle of the row, so the row begins a little above them.
     for (int i = 0; i < rows->count && panel_rows_hold(rows, x, y); i++)
         if (y >= rows->row[i].top - 2.0f && y < rows->row[i].top - 2.0f + rows->row[i].height)
             return &rows->row[i];

@@ -13,14 +13,14 @@ struct panel_key {
     const char *does;
 };
 
-struct panel_rows; // below
+struct panel_rows; // defined below
 struct picker;
 struct inspector_table;
 
-// NULL, 0 and "" leave a part out.
+// The contents of the panel. A member that is NULL, 0 or "" leaves its part out.
 struct panel {
-    const char *title;                // of the chapter
-    const struct renderer *renderer;  // its view and parameters
+    const char *title;                // the chapter's title
+    const struct renderer *renderer;  // has the view and the parameters
     const struct parameter *selected; // the selected parameter, which the arrow keys change
     double rate, milliseconds;        // frames per second, and the duration of one frame
     double time;                      // seconds
@@ -31,12 +31,12 @@ struct panel {
     bool views;              // list the views below the status
     bool buttons;            // show the row of buttons
     bool peeks;              // show the title of a folded panel, with the mark that unfolds it
-    unsigned long long open; // bit k: show the components of parameter k although another one is
-                             // selected
-    bool ranges;             // show range and unit of all parameters, if there is room
-    bool folded;             // show only the error and, except in a slice, the ray's march
-    bool bare;               // show no text but the labels of a comparison; a web page has the rest
-    bool right;              // the panel is on the right
+    unsigned long long open; // bit k: show parameter k's components even if it is not selected
+    bool ranges;             // show the range and unit of all parameters, if there is room
+    // Hide the panel, the keys, the note on inputs and, in a slice or plot, the ray's march.
+    bool folded;
+    bool bare;               // hide all text but a comparison's labels; a web page shows the rest
+    bool right;              // the panel is at the right edge
     bool rolled;             // the panel shows only its title
     bool refused;            // tip says why the typed value is rejected
     const char *typed;       // text that replaces the selected parameter's value
@@ -44,31 +44,31 @@ struct panel {
     int typed_part;          // the component that is typed; -1 for all
     float tip_at[2];         // the pointer, units from the picture's top left
     struct panel_rows *rows; // receives the rows, if there is a pointer
-    struct inspector_table *table; // receives the lines of the ray's march, unless it is NULL
-    struct picker *picker; // of the selected colour; receives its position; NULL if it is not open
+    struct inspector_table *table; // receives the lines of the ray's march; may be NULL
+    struct picker *picker; // the selected colour's picker, to be placed and drawn; NULL if closed
     const char *hint;      // what the main keys do, in one line
-    const char *caption;   // of a lecture, shown at the bottom
+    const char *caption;   // caption of a lecture, shown at the bottom
     const struct panel_key *keys;
     int key_count;
-    int pixel[2];              // of the selected ray, 0,0 bottom left; -1,-1 if there is none
+    int pixel[2];              // the selected ray's pixel, 0,0 bottom left; -1,-1 if there is none
     const char *side;          // the ray's side of a comparison: "left" or "right"
-    float shown;               // steps of the ray, as in renderer_inputs
-    const struct probe *probe; // its march; NULL if why gives the reason
+    float shown;               // number of steps of the ray, as in renderer_inputs
+    const struct probe *probe; // the ray's march; NULL if why says why there is none
     const char *why;
     const char *error; // lines that end with '\n'
-    bool broken;       // the error comes from a reload; otherwise from a view
+    bool broken;       // the error comes from a reload, otherwise from a view
     const char *unset; // a note on an input that nothing sets, shown if there is no error
 };
 
-#define PANEL_GAP    12.0f // units of the overlay, between columns
+#define PANEL_GAP    12.0f // distance between columns, units of the overlay
 #define PANEL_SWATCH 10.0f // width of a colour's swatch, in front of its value
 
 enum { PANEL_COLUMNS = 4, PANEL_CELL = 160 };
 
 enum panel_row_kind {
     PANEL_ROW_TITLE,  // the second cell is the mark that folds the panel, at the row's right end
-    PANEL_ROW_STATUS, // the view, the rate and the time; it opens the list of views
-    PANEL_ROW_VIEW,   // one view of that list: its index is part
+    PANEL_ROW_STATUS, // the view, the rate and the time; a click opens the list of views
+    PANEL_ROW_VIEW,   // one view of that list; part is its index
     PANEL_ROW_TEXT,
     PANEL_ROW_BUTTONS, // one button in each cell
     PANEL_ROW_RULE,
@@ -84,12 +84,12 @@ enum panel_button { PANEL_PAUSE, PANEL_STEP_BACK, PANEL_STEP_ON, PANEL_HIDE };
 struct panel_row {
     enum panel_row_kind kind;
     char cell[PANEL_COLUMNS][PANEL_CELL]; // name, value, range and unit of a parameter; or a text
-    int parameter;                        // its index for comparison_parameter; -1 if there is none
-    int part;                             // of a vector; -1 for all components
+    int parameter;                        // index for comparison_parameter; -1 if there is none
+    int part;                             // index of a component or a view; -1 for all components
     bool selected;                        // part of the selected parameter, or the current view
-    double place;    // of the value in its range, 0 to 1; below 0 if nothing can be dragged
+    double place;    // position of the value in its range, 0 to 1; < 0 if nothing can be dragged
     float swatch;    // distance of a colour's swatch from the row's left; 0 if there is none
-    double share[3]; // that colour, as fractions of the range
+    double share[3]; // the swatch's colour, as fractions of the parameter's range
     float left, top, width, height;
 };
 
@@ -97,13 +97,13 @@ struct panel_row {
 struct panel_rows {
     struct panel_row *row; // owned
     int count;
-    float column[PANEL_COLUMNS];    // widths
+    float column[PANEL_COLUMNS];    // widths of the columns
     bool ranges;                    // all four columns are shown, otherwise two
-    float left, top, width, height; // of the panel with its edges, units
+    float left, top, width, height; // the panel with its edges, units
 };
 
-// Build and measure the rows of a panel, without those for which there is no room. Earlier rows are
-// discarded.
+// Build and measure the rows of a panel, leaving out those for which there is no room. Earlier rows
+// are discarded.
 //   limit   greatest width of the text, units, if two columns fit into it
 //   bottom  lowest position of the panel's lower edge, units
 // Free with panel_rows_free.
@@ -129,10 +129,10 @@ int panel_row_button(const struct panel_row *row, float x);
 // The distance of a button from the row's left, units.
 float panel_row_button_left(const struct panel_row *row, int button);
 
-// True at the mark of the title, which folds the panel.
+// True if x is on the mark of the title, which folds the panel.
 bool panel_row_is_mark(const struct panel_row *row, float x);
 
-// True at the swatch of a colour, which opens its picker.
+// True if x is on the swatch of a colour, which opens the colour's picker.
 bool panel_row_is_swatch(const struct panel_row *row, float x);
 
 void panel_rows_free(struct panel_rows *rows);

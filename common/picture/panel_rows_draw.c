@@ -8,8 +8,8 @@
 static const struct overlay_colour BAR = {{96, 160, 224, 84}};
 static const struct overlay_colour FIELD = {{0, 0, 0, 230}};
 
-// The selected parameter has a band and a mark, and not only another colour. If there is a pointer,
-// a bar shows the position of the value in its range.
+// The selected parameter has a band and a mark, so that it differs not only in colour. If there is
+// a pointer, a bar shows the position of the value in its range.
 static void draw_band(const struct panel_row *row, bool pointer, struct overlay *overlay)
 {
     if (row->selected)
@@ -20,8 +20,8 @@ static void draw_band(const struct panel_row *row, bool pointer, struct overlay 
                     (float)row->place * (row->width + 6.0f), row->height - 1.0f, BAR);
 }
 
-// The typed text replaces the value; if it is too long, its end is shown. A bar marks the position
-// of the next letter.
+// The typed text replaces the value; if it is too long, only its end is shown. A vertical bar marks
+// the position of the next letter.
 static void draw_typed(const struct panel_rows *rows, const struct panel_row *row,
                        const struct panel *panel, struct overlay *overlay)
 {

@@ -15,7 +15,7 @@ static const struct overlay_colour PEN_BAND = {{255, 255, 255, 38}};
 static const struct overlay_colour PEN_BRIGHT = {{250, 250, 250, 255}};
 static const struct overlay_colour PEN_PLAIN = {{226, 229, 234, 255}};
 static const struct overlay_colour PEN_DIM = {{190, 196, 206, 255}};
-static const struct overlay_colour PEN_HERE = {{255, 72, 128, 255}}; // the current step
+static const struct overlay_colour PEN_HERE = {{255, 72, 128, 255}}; // colour of the current step
 static const struct overlay_colour PEN_DARK = {{0, 0, 0, 200}};
 
 // The position of a panel's next line.
@@ -24,8 +24,8 @@ struct pen {
     float left, top;
 };
 
-// The size of the picture, and the lowest position of a panel's lower edge, above the axis of a
-// slice or plot.
+// The size of the picture, and the lowest position of a panel's lower edge: in a slice or plot,
+// this is above the axis.
 float pen_picture_width(const struct overlay *overlay);
 float pen_picture_height(const struct overlay *overlay);
 float pen_foot(const struct overlay *overlay, enum shader_view view);
@@ -33,11 +33,13 @@ float pen_foot(const struct overlay *overlay, enum shader_view view);
 // Draw a panel's background around a text of this size. Returns a pen at the first line.
 struct pen pen_open(struct overlay *overlay, float left, float top, float width, float height);
 
-// Write a line, or draw a rule of this width, and move the pen below it.
+// Write a line of text, or draw a rule of this width, and move the pen below the line or rule.
 void pen_write(struct pen *pen, const char *text, struct overlay_colour colour);
 void pen_rule(struct pen *pen, float width);
 
-// Copy the next line of a text: as many words as fit, or at least one letter. Moves text past it.
+// Copy the next line of a text, and move text past this line. The line has as many words as fit; if
+// not even one word fits, it has as many letters as fit, but at least one.
+//   limit  width of the line, units
 // Returns false at the end of the text.
 bool pen_next_line(const char **text, float limit, char line[OVERLAY_TEXT + 1]);
 

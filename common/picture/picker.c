@@ -6,11 +6,11 @@
 #include "picture/colour.h"
 #include "picture/pen.h"
 
-#define SIDE   72.0f // of the square, units, at most
-#define LEAST  24.0f // and at least
-#define BAR    12.0f // width
+#define SIDE   72.0f // largest side of the square, units
+#define LEAST  24.0f // smallest side of the square, units
+#define BAR    12.0f // width of the bar of hues
 #define GAP    6.0f
-#define APART  4.0f                             // from the panel
+#define APART  4.0f                             // distance from the panel
 #define BEYOND (2.0f * PEN_PADDING + GAP + BAR) // the picker's width without the square
 
 // ---- Position ----
@@ -20,7 +20,7 @@ static float clamp(float value, float low, float high)
     return fmaxf(low, fminf(value, high));
 }
 
-// The first and the last row of the selected colour. Returns false if there are none.
+// Find the first and the last row of the selected colour. Returns false if there are none.
 static bool find_rows(const struct panel_rows *rows, const struct panel_row *ends[2])
 {
     ends[0] = ends[1] = NULL;
@@ -35,7 +35,7 @@ static bool find_rows(const struct panel_rows *rows, const struct panel_row *end
 }
 
 // Make the picker as large as its room allows.
-//   width, height  of the room, units
+//   width, height  size of the room, units
 static void size_for(struct picker *picker, float width, float height)
 {
     float side = fminf(width - BEYOND, height - 2.0f * PEN_PADDING);
@@ -76,8 +76,8 @@ bool picker_holds(const struct picker *picker, float x, float y)
            y < picker->top + picker->height;
 }
 
-// The position of a point in the square, as fractions of its side from its bottom left. Returns the
-// part that contains the point.
+// Find the position of a point relative to the square's bottom left, as fractions of the square's
+// side. Returns the part that contains the point.
 static enum picker_part look_up(const struct picker *picker, float x, float y, float at[2])
 {
     at[0] = (x - picker->left - PEN_PADDING) / picker->side;

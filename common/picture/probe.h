@@ -5,17 +5,17 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#define PROBE_STEPS 2048 // of one probe, at most
-#define PROBE_ROWS  3    // of the target that a probe's program draws, one column per step
+#define PROBE_STEPS 2048 // most steps of one probe
+#define PROBE_ROWS  3    // rows of the target that a probe's program draws, one column per step
 
-// One row of a probe: the march after one evaluation of the distance.
+// One step of a probe: the march after one evaluation of the distance.
 struct probe_step {
     float t;           // distance along the ray, scene units
-    float distance;    // the scene's distance there
+    float distance;    // the scene's distance at this position
     float position[3]; // scene units
     float threshold;   // a smaller distance would be a hit, scene units; 0 if unknown
-    float place[2];    // position in the picture, pixels from its bottom left corner
-    bool seen;         // it is in front of the camera, so that place is defined
+    float place[2];    // position in the picture, pixels from the picture's bottom left corner
+    bool seen;         // the step is in front of the camera, so that place is defined
 };
 
 enum probe_end { PROBE_NO_MARCH, PROBE_HIT, PROBE_PASSED, PROBE_GAVE_UP };
@@ -23,28 +23,28 @@ enum probe_end { PROBE_NO_MARCH, PROBE_HIT, PROBE_PASSED, PROBE_GAVE_UP };
 // The march of one pixel's first ray, as the GPU computed it.
 struct probe {
     struct probe_step step[PROBE_STEPS];
-    int steps;          // of the first march; step has at most PROBE_STEPS of them
-    int all_steps;      // of all marches of the pixel, including shadow rays
-    int evaluations;    // of the scene's distance, including those for normals
+    int steps;          // number of steps of the first march; step has at most PROBE_STEPS of them
+    int all_steps;      // number of steps of all marches of the pixel, including shadow rays
+    int evaluations;    // evaluations of the scene's distance, including those for normals
     enum probe_end end; // why the first march stopped
-    float interval[2];  // of the first march, scene units along the ray; 0, 0 if unknown
+    float interval[2];  // interval of the first march, scene units along the ray; 0, 0 if unknown
     bool pinned;        // the ray starts elsewhere than at the picture's camera
     bool recorded;      // false for a file with its own main, for which only the colour is known
-    unsigned char colour[3]; // of the pixel in the picture
+    unsigned char colour[3]; // the pixel's colour
 };
 
 // Unpack the table that shaders/main.glsl draws for a probe, which has everything but the colour
-// and the places. Column k has:
-//   row 0  t, distance, steps of the first march, how it ended
+// and the positions in the picture. Column k has:
+//   row 0  t, distance, steps of the first march, how that march ended
 //   row 1  position x, y, z, threshold
 //   row 2  steps of all marches, evaluations, interval of the first march
 //   values  PROBE_STEPS x PROBE_ROWS pixels of 4 floats, row 0 first
 void probe_unpack(struct probe *probe, const float *values);
 
-// The number of the first march's steps that the probe contains.
+// How many steps of the first march the probe contains.
 int probe_rows(const struct probe *probe);
 
-// Why the first march stopped: "hit", ...
+// Why the first march stopped, such as "hit".
 const char *probe_outcome(const struct probe *probe);
 
 // Print the table of the march, then a line with its outcome, the cost of the pixel and its colour.

@@ -10,7 +10,8 @@
 // One draw call covers a tile, small enough that no single draw occupies a GPU for seconds.
 #define TILE 512 // pixels
 
-// A file is drawn in bands of at most this many pixels, so that the float target stays small.
+// A picture for a file is drawn in bands of at most this many pixels, so that the float target
+// stays small.
 #define BAND_PIXELS (4 * 1024 * 1024)
 
 enum { TARGETS = 7 };
@@ -110,7 +111,7 @@ struct renderer *renderer_at(struct renderer *renderer, int width, int x)
     return x < renderer_split(renderer, width) ? renderer : renderer->comparison->other;
 }
 
-// Draw all samples of the tile in the scissor, averaged by blending: the sum of sample / count.
+// Draw all samples of the tile in the scissor, averaged by blending, which adds sample / count.
 // Sample (i, j) of n x n lies at ((i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5) from the pixel's
 // centre, so a single sample is the centre and the picture does not shift with n.
 static void draw_samples(const struct renderer *renderer, int samples, int bottom)
@@ -128,14 +129,15 @@ static void draw_samples(const struct renderer *renderer, int samples, int botto
 struct part {
     struct target *target;
     int bottom, height;      // the rows of the picture that the target contains
-    int from, to;            // the rows of the target to draw
-    int left, right;         // and its columns
+    int from, to;            // the rows of the target that are drawn
+    int left, right;         // the columns that are drawn
     bool fresh;              // the target is cleared first
     struct march *shared;    // march of a comparison's first side, whose frame both slices use
     struct renderer *beside; // the comparison's other side, which must fit into a plot's frame too
 };
 
-// Use the frame of the first side, which is drawn first and stores its own.
+// Use the frame of the comparison's first side, which is drawn first and stores its frame in
+// shared.
 static void share_frame(struct march *march, struct march *shared)
 {
     if (shared == NULL)
@@ -186,7 +188,7 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *a
         renderer_set_steps(renderer, &march);
     if (part->fresh)
         renderer_clear(gl);
-    // The viewport is the whole picture, whatever part the target contains: the triangle never
+    // The viewport is the whole picture, whatever part the target contains, so the triangle never
     // changes.
     gl->Viewport(0, -part->bottom, inputs->width, inputs->height);
     gl->Enable(GL_SCISSOR_TEST);
@@ -267,7 +269,7 @@ static int rows_of_band(const struct renderer_inputs *inputs)
     return band < inputs->height ? band : inputs->height;
 }
 
-// Store the rows of a target in an image, starting at row bottom.
+// Store the rows of a target in an image, from row bottom upwards.
 static bool store(const struct renderer *renderer, const struct target *target, struct image *image,
                   int bottom)
 {
@@ -299,7 +301,7 @@ bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *i
     return done;
 }
 
-// The overlay is drawn over a copy, so the window keeps the sharp picture as it is.
+// The overlay is drawn over a copy, so the window's sharp picture does not change.
 bool renderer_sharp_picture(struct renderer *renderer, struct image *image)
 {
     const struct target *sharp = &renderer->sharp;

@@ -1,7 +1,7 @@
-// renderer.h - from a linked program to a picture: one full-screen triangle, drawn into a float
-// target.
+// renderer.h - draws pictures with linked programs: one full-screen triangle, into a float target.
 //
-// renderer.c draws pictures, renderer_ray.c the march of one ray, and renderer_pass.c single draws.
+// renderer.c draws pictures, renderer_ray.c computes the march of one ray, and renderer_pass.c
+// links programs and makes single draws.
 #ifndef RENDERER_H
 #define RENDERER_H
 
@@ -19,54 +19,57 @@
 #include "shader/compile.h"
 #include "shader/parameter.h"
 
-#define RENDERER_FOCAL_LENGTH 1.0f // for shaders that declare no focalLength of their own
-#define RENDERER_STEPS        64   // of a march that a picture can read: as in shaders/marched.glsl
+#define RENDERER_FOCAL_LENGTH 1.0f // for shaders that do not declare focalLength
+#define RENDERER_STEPS        64   // most steps that a picture can read, as in shaders/marched.glsl
 
 // The parameters that describe a camera's lens: focalLength and orthographic.
 enum { RENDERER_LENSES = 2 };
 extern const char *const renderer_lens[RENDERER_LENSES];
 
-// Where rays start, and through which lens.
+// The camera from which rays start, and its lens.
 struct renderer_eye {
     struct camera camera;
-    double lens[RENDERER_LENSES]; // values of renderer_lens
+    double lens[RENDERER_LENSES]; // values of the parameters renderer_lens
 };
 
 // Everything that a picture depends on besides the shader and its parameters. Times come from here,
 // never from a clock, so the same inputs give the same picture.
 struct renderer_inputs {
-    int width, height; // of the whole picture, pixels
+    int width, height; // size of the whole picture, pixels
     struct camera camera;
     double time;       // seconds
-    double time_delta; // seconds since the last frame; 0 for a file
-    int frame;         // index of the frame; 0 for a file
+    double time_delta; // seconds since the last frame; 0 for the first
+    int frame;         // index of the frame, from 0
     double rate;       // frames per second of a film; 0 if it follows from time_delta
-    float mouse[4];    // Shadertoy's iMouse; zeros for a file
+    float mouse[4];    // Shadertoy's iMouse; zeros for a picture in a file
     float date[4];     // Shadertoy's iDate: year, month from 0, day, seconds of the day
-    int samples;       // along each side of a pixel
+    int samples;       // samples along each side of a pixel
     float digits; // least height of a figure's digits, pixels; 0 if the picture's height decides
-    int pixel[2]; // of the selected ray, 0,0 bottom left; -1,-1 for none: a slice shows the middle
+    // The selected ray's pixel, 0,0 at the bottom left; -1,-1 if no ray is selected, so that a
+    // slice shows the ray in the middle.
+    int pixel[2];
     const struct renderer_eye *eye; // where the selected ray starts; NULL for the camera
-    const double *lens; // values that replace renderer_lens; NULL for the parameters' own
-    const struct strokes *strokes; // on the chapter's volume; NULL if there is none
-    float zoom;                    // of the slice view; 1 or 0 for the whole march
-    float shown; // steps of the selected ray's march that are shown, with a fraction of the next
-                 // one; 0 for all
+    const double *lens; // replaces the values of renderer_lens; NULL keeps the parameters' values
+    const struct strokes *strokes; // the strokes on the chapter's volume; NULL if there are none
+    float zoom;                    // magnification of the slice view; 1 or 0 for the whole march
+    // The number of steps of the selected ray's march that are shown, with a fraction of the next
+    // step; 0 for all.
+    float shown;
 };
 
 // Two pictures side by side: a divider separates the columns of the first from those of the second.
 // Both have the same camera, time, view and samples. The second follows the first's parameters,
 // except those that it sets itself.
 struct comparison {
-    struct renderer *other; // of the second picture; its own comparison is NULL. Not owned
-    double divider;         // fraction of the width that the first picture has, 0 to 1
+    struct renderer *other; // draws the second picture; its comparison is NULL. Not owned
+    double divider;         // fraction of the width that the first picture takes, 0 to 1
     const char *const *own; // NAME=VALUE: the parameters that the second sets itself. Not owned
     int own_count;
-    const char *label[2]; // their names; NULL if the parameters tell them apart. Not owned
+    const char *label[2]; // the pictures' names; NULL if the parameters tell them apart. Not owned
     bool gripped;         // the divider can be dragged, and shows a grip
 };
 
-// The uniforms of the harness itself, besides inputs, parameters and textures.
+// The uniforms of the harness itself, other than inputs, parameters and textures.
 #define RENDERER_UNIFORMS(X)                                                                       \
     X(iSample)                                                                                     \
     X(iSamples)                                                                                    \
@@ -99,32 +102,33 @@ struct comparison {
 enum renderer_uniform { RENDERER_UNIFORMS(RENDERER_UNIFORM) RENDERER_UNIFORM_COUNT };
 #undef RENDERER_UNIFORM
 
-// Everything needed to draw one shader file. Opened once; a shader is loaded into it, and loaded
-// again when its file changes.
+// Everything needed to draw one shader file. A renderer is opened once; a shader is loaded into it,
+// and loaded again when the shader's file changes.
 struct renderer {
     const struct gl *gl;
     const char *root;
     struct shader_source vertex;   // shaders/screen.vert
-    struct shader_source fragment; // the last one that compiled
-    struct parameters parameters;  // of that one
-    struct textures textures;      // of its samplers
-    struct sculpture sculpture;    // one of these textures, if the chapter has a tool
+    struct shader_source fragment; // the last fragment shader that compiled
+    struct parameters parameters;  // the parameters of this shader
+    struct textures textures;      // the textures of its samplers
+    struct sculpture sculpture;    // the volume in one of these textures, if the chapter has a tool
     struct axis_labels labels;     // the numbers and words that its views write
     enum shader_view view;
-    float focal_length;                    // for shaders that declare no focalLength of their own
-    double orthographic;                   // the input OrthoView: 0 perspective, 1 orthographic
-    GLuint program[SHADER_PROGRAM_COUNT];  // by view, linked when first needed
-    GLint *location[SHADER_PROGRAM_COUNT]; // of its uniforms: renderer_uniform, then those of
-                                           // inputs, parameters and textures; owned
-    const GLint *used;                     // those of the program in use
+    float focal_length;                   // for shaders that do not declare focalLength
+    double orthographic;                  // the input OrthoView: 0 perspective, 1 orthographic
+    GLuint program[SHADER_PROGRAM_COUNT]; // one per view, linked when first needed
+    // The locations of each program's uniforms: first renderer_uniform, then those of inputs,
+    // parameters and textures; owned.
+    GLint *location[SHADER_PROGRAM_COUNT];
+    const GLint *used; // locations of the program in use
     GLuint vertex_array;
     struct target picture;
     struct target sharp;           // a window's picture that is drawn over several frames
-    struct target table;           // of a probe, one column per step; the slice view reads it
-    struct target single;          // one pixel: a probe's colour, or the camera's room
+    struct target table;           // a probe's table, one column per step; the slice view reads it
+    struct target single;          // drawn in one pixel only: a probe's colour or the camera's room
     struct target places;          // where the steps of a ray are in the picture
     struct target points;          // where the handles are in the picture
-    struct target coarse;          // of the coarse pass, one texel per block
+    struct target coarse;          // the result of the coarse pass, one texel per block
     struct enlarge enlarge;        // shows a small picture in a large window
     struct comparison *comparison; // not owned; NULL for a single picture
     const struct overlay *overlay; // drawn over every written picture; not owned; may be NULL
@@ -140,21 +144,23 @@ void renderer_close(struct renderer *renderer);
 
 // Compile and link a shader, and read its textures. Parameters that it shares with the previous
 // shader keep their values, as described for parameters_keep.
-//   source, parameters  of the shader; taken over and left empty
+//   source, parameters  those of the shader, which are taken over and left empty
 // Returns false after reporting the error; then both still belong to the caller, and the renderer
 // still draws the last good shader.
 bool renderer_load(struct renderer *renderer, struct shader_source *source,
                    struct parameters *parameters);
 
-// Choose the view, in both pictures of a comparison, and link it if it is new. If a shader has no
-// such view or the view does not link, reports the error, keeps the old view and returns false.
+// Choose the view, in both pictures of a comparison, and link the view's program if it has not been
+// linked yet. If a shader has no such view or the view does not link, reports the error, keeps the
+// old view and returns false.
 bool renderer_set_view(struct renderer *renderer, enum shader_view view);
 
 // ---- Draw and read pictures ----
 
 // Draw rows [bottom, bottom + rows) of the picture into the float target, tile by tile, as the mean
 // of samples x samples jittered passes. Row 0 is the bottom row.
-// Returns false after reporting the error if there is no memory for the target or no float target.
+// Returns false after reporting the error, for example if the driver has no float target of this
+// size.
 bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
                    int rows);
 
@@ -167,7 +173,7 @@ bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *i
 
 // Copy the picture of renderer_draw into the window's framebuffer: pixel by pixel if the sizes are
 // equal, otherwise through a filter.
-//   width, height  of the framebuffer, pixels
+//   width, height  size of the framebuffer, pixels
 // Returns false after reporting the error if the driver rejects the filter.
 bool renderer_present(struct renderer *renderer, enum enlarge_filter filter, int width, int height);
 
@@ -175,31 +181,32 @@ bool renderer_present(struct renderer *renderer, enum enlarge_filter filter, int
 // pixel by pixel.
 void renderer_present_sharp(struct renderer *renderer, int from, int rows);
 
-// Draw a whole picture, with the overlay if there is one, and read it back: value v becomes
+// Draw a whole picture, with the overlay if there is one, and read it back: a value v becomes
 // floor(255 clamp(v, 0, 1) + 0.5).
 // The caller frees image. Returns false after reporting the error.
 bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *inputs,
                       struct image *image);
 
-// The same for the picture of renderer_sharpen, which is not drawn again.
+// Do the same with the picture of renderer_sharpen, without drawing it again.
 bool renderer_sharp_picture(struct renderer *renderer, struct image *image);
 
-// The first column of the second picture, in pictures of this width in pixels, or the width if
-// there is no second picture; and the renderer that draws column x.
+// renderer_split returns the first column of the second picture, in pictures of this width in
+// pixels, or the width if there is no second picture. renderer_at returns the renderer that draws
+// column x.
 int renderer_split(const struct renderer *renderer, int width);
 struct renderer *renderer_at(struct renderer *renderer, int width, int x);
 
 // ---- The march of one ray ----
 
-// The eye of a picture, from which its rays start. A selected ray keeps this eye, so that it stays
-// where it is in space while the camera moves on.
+// The eye of a picture, from which its rays start. A selected ray keeps the eye with which it was
+// selected, so that the ray does not move in space when the camera moves on.
 struct renderer_eye renderer_eye_of(const struct renderer *renderer,
                                     const struct renderer_inputs *inputs);
 
-// March the ray of pixel (x, y), 0,0 bottom left, from inputs->eye, and read back every step, its
-// position in the picture, and the pixel's colour in the current view, or in the picture if the
-// view is slice or plot. For a file with its own main, only the colour is known. Returns false
-// after reporting the error if the driver fails.
+// March the ray of pixel (x, y), 0,0 at the bottom left, from inputs->eye. Read back every step,
+// with its position in the picture, and the pixel's colour in the current view or, if that is the
+// slice or the plot, in the picture. For a file with its own main, only the colour is known.
+// Returns false after reporting the error if the driver fails.
 bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
                     struct probe *probe);
 
@@ -207,14 +214,14 @@ bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inp
 struct march {
     int pixel[2];
     int steps; // number of steps in renderer->table
-    float at;  // the step that is shown, from 0, with a fraction of the next one; -1 for none
+    float at;  // the step shown, from 0, with a fraction of the next one; -1 if there is none
     enum probe_end end;
     struct slice_frame frame;
-    struct plot_frame plot;        // of a plot, below the slice
+    struct plot_frame plot;        // frame of a plot, below the slice
     float step[RENDERER_STEPS][2]; // t and distance of the first steps
 };
 
-// The inputs of a picture that is seen from the selected ray's own eye.
+// The inputs of the same picture, seen from the eye of the selected ray.
 struct renderer_inputs renderer_from_eye(const struct renderer_inputs *inputs);
 
 // March the ray of pixel (x, y), whose steps stay in renderer->table.
@@ -229,13 +236,13 @@ bool renderer_march_selected(struct renderer *renderer, struct renderer *beside,
                              const struct renderer_inputs *inputs, struct march *march);
 
 // Set the uniforms of shaders/slice.glsl and plot.glsl, or of shaders/marched.glsl. The slice reads
-// the table from unit 0, which is a sampler's default.
+// the table from texture unit 0, which is a sampler's default.
 void renderer_set_slice(const struct renderer *renderer, const struct march *march);
 void renderer_set_steps(const struct renderer *renderer, const struct march *march);
 
-// Find the positions of a march's steps in the picture: all in its pixel, or, if the ray does not
-// start at the camera, in the pixels whose rays meet them.
-//   probe  of pixel (x, y), whose steps are still in renderer->table
+// Find the positions of a march's steps in the picture: all are in the ray's pixel or, if the ray
+// does not start at the camera, in the pixels whose rays pass through the steps.
+//   probe  the probe of pixel (x, y), whose steps are still in renderer->table
 // Returns false after reporting the error.
 bool renderer_place_steps(struct renderer *renderer, const struct renderer_inputs *inputs, int x,
                           int y, struct probe *probe);
@@ -250,8 +257,8 @@ bool renderer_link(struct renderer *renderer, enum shader_view view);
 // Delete all programs.
 void renderer_unlink(struct renderer *renderer);
 
-// True if a linked view of a course shader uses a uniform; the linker keeps only those that are
-// used. In other dialects, a uniform of this name belongs to the author.
+// True if a linked view of a course shader uses a uniform: the linker keeps only the uniforms that
+// are used. Always false in other dialects, where a uniform of this name belongs to the author.
 bool renderer_reads(const struct renderer *renderer, enum shader_view view,
                     enum renderer_uniform uniform);
 
@@ -272,12 +279,12 @@ void renderer_clear(const struct gl *gl);
 
 // One sample of the pixels of a draw.
 struct renderer_sample {
-    int number, count; // its index, from 0, and the number of samples
+    int number, count; // the sample's index, from 0, and the number of samples
     float jitter[2];   // offset from the pixel's centre, pixels
 };
 
 // Draw the triangle into the current target, with the current viewport and scissor.
-//   bottom  the row of the picture that is the target's first
+//   bottom  the row of the picture that is the target's bottom row
 void renderer_pass(const struct renderer *renderer, const struct renderer_sample *sample,
                    int bottom);
 
@@ -286,15 +293,15 @@ void renderer_fill(const struct renderer *renderer, const struct target *table, 
                    int bottom, int width, int height);
 
 // The coarse pass: before a picture, one march for each block of 8 x 8 pixels finds a distance up
-// to which none of the block's rays meets anything. shaders/coarse.glsl describes it and proves
-// this.
+// to which none of the block's rays meets anything. shaders/coarse.glsl describes the pass and
+// proves this claim.
 
-// True if a linked view reads the pass, and its parameter coarsePass is on.
+// True if a linked view reads the coarse pass, and the shader's parameter coarsePass is on.
 bool renderer_wants_coarse(const struct renderer *renderer, enum shader_view view);
 
-// If the view wants it, run the pass for the blocks of a rectangle of pixels; other blocks are
-// undefined. renderer->coarse has one texel for each block of the whole picture: the start, the
-// number of evaluations that it took, the number of pixels in the block, unused.
+// If renderer_wants_coarse is true, run the pass for the blocks of a rectangle of pixels; other
+// blocks are 0. renderer->coarse has one texel for each block of the whole picture: the start of
+// its rays, and the number of evaluations that this took; the other two channels are unused.
 //   view       the linked view that is drawn next
 //   low, high  opposite corners of the rectangle, pixels, the upper one excluded
 // Returns false after reporting the error.

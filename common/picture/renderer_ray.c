@@ -6,7 +6,8 @@
 
 #include "memory.h"
 
-// Each column of a probe's table marches the ray again, and most rays need only these columns.
+// Each column of a probe's table marches the ray again, so only this many columns are drawn first:
+// most rays need no more.
 #define FIRST_COLUMNS 64
 
 // ---- The eye ----
@@ -35,7 +36,7 @@ struct renderer_inputs renderer_from_eye(const struct renderer_inputs *inputs)
     return from;
 }
 
-// True if the selected ray does not start at the picture's camera.
+// True if the selected ray's eye is not that of the picture: another camera, or another lens.
 static bool is_pinned(const struct renderer *renderer, const struct renderer_inputs *inputs)
 {
     if (inputs->eye == NULL)
@@ -141,7 +142,7 @@ void renderer_set_steps(const struct renderer *renderer, const struct march *mar
 
 // ---- The steps in the picture ----
 
-// Find the pixels whose rays meet the steps of a ray that does not start at the camera.
+// Find the pixels whose rays pass through the steps of a ray that does not start at the camera.
 static bool find_steps(struct renderer *renderer, const struct renderer_inputs *inputs,
                        struct probe *probe)
 {

@@ -2,14 +2,15 @@
 
 #include "shader/compile.h"
 
-// True if a shader has a cameraRoom.
+// True if the shader is in the course's dialect and defines cameraRoom.
 static bool has_room(const struct renderer *renderer)
 {
     return renderer->fragment.dialect == DIALECT_COURSE &&
            glsl_find_definition(&renderer->fragment.code, "cameraRoom") != NULL;
 }
 
-// True while the driver compiles the program in its own threads.
+// Let the driver begin to compile the program if it has not. Returns true while the driver compiles
+// in its own threads.
 static bool is_compiling(const struct renderer *renderer)
 {
     if (renderer->program[SHADER_ROOM] != 0)

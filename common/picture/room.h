@@ -4,12 +4,14 @@
 
 #include "picture/renderer.h"
 
-// Keep a camera where the shader's cameraRoom has room for it, as described in shaders/room.glsl.
-// The camera can go anywhere if the shader has no such function, and until the driver has compiled
-// the program, which the first call begins. Each call waits for the GPU.
-//   inputs  of the picture that is shown, with the camera before the move
-//   to      where the camera is going; receives where it stops
-// If the program does not link, reports the error, leaves to unchanged and returns false.
+// Keep a camera where the shader's cameraRoom leaves room for it, as described in
+// shaders/room.glsl. If the shader has no such function, the camera can go anywhere. The first call
+// makes the driver begin to compile a program; the camera can go anywhere until the program is
+// compiled, and from then on each call waits for the GPU.
+//   inputs  the inputs of the picture that is shown, with the camera before the move
+//   to      where the camera is going, scene units; receives where the camera stops
+// If the program does not link or the driver has no target for it, reports the error, leaves to
+// unchanged and returns false.
 bool room_keep(struct renderer *renderer, const struct renderer_inputs *inputs, float to[3]);
 
 #endif

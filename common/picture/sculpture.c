@@ -8,7 +8,7 @@
 #include "number.h"
 
 #define ROUND 10000.0 // numbers are rounded to multiples of its inverse
-#define LIMIT 1e9     // of an amount or coordinate; a float this large has no fraction
+#define LIMIT 1e9     // largest amount or coordinate; a float this large has no fraction
 
 // ---- Strokes ----
 
@@ -31,7 +31,7 @@ void strokes_take_back(struct strokes *strokes, int count)
 {
     for (; count > 0 && strokes->count > 0; count--) {
         const struct stroke *last = &strokes->item[--strokes->count];
-        strokes->taken_back += last->points > 0; // otherwise nothing was done
+        strokes->taken_back += last->points > 0; // a stroke without points did nothing
         free(last->point);
     }
 }
@@ -84,7 +84,7 @@ static size_t bytes_of(const struct sculpture *sculpture)
     return 4 * (size_t)size[0] * (size_t)size[1] * (size_t)size[2];
 }
 
-// Read the volume from its file.
+// Read the volume from its file. Returns false after reporting the error.
 static bool read_volume(struct sculpture *sculpture, const struct sampler *sampler,
                         const struct shader_source *source)
 {
@@ -111,7 +111,7 @@ static bool read_volume(struct sculpture *sculpture, const struct sampler *sampl
     return fits;
 }
 
-// Carry out the points that are missing, and widen the slices that have changed.
+// Carry out the points that are missing, and extend the range of changed slices.
 static void work(struct sculpture *sculpture, const struct strokes *strokes, int slices[2])
 {
     size_t bytes = bytes_of(sculpture);

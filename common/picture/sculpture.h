@@ -1,8 +1,8 @@
-// sculpture.h - a volume that the pointer changes: the strokes that were made over a picture, and
-// the tool with which a chapter's program carries them out.
+// sculpture.h - a volume that the pointer changes: the strokes drawn on a picture, and the tool
+// with which a chapter's program carries them out.
 //
-// The strokes are inputs of a picture, like its time. Before it draws, a renderer follows them: it
-// carries out those that its texture does not have yet. So a picture is a function of its options,
+// The strokes are inputs of a picture, like its time. Before it draws, a renderer carries out the
+// strokes that its texture does not have yet. A picture is therefore a function of its options,
 // both in a window and in a file.
 #ifndef SCULPTURE_H
 #define SCULPTURE_H
@@ -13,8 +13,8 @@
 
 // A line through points, drawn with one movement of the pointer.
 struct stroke {
-    double amount;      // of the tool; a negative one does the opposite
-    double (*point)[3]; // in the volume's own coordinates; owned
+    double amount;      // how much the tool does; a negative amount does the opposite
+    double (*point)[3]; // in the volume's coordinates; owned
     int points;
 };
 
@@ -33,49 +33,51 @@ struct sculpture_aim {
 
 // The tool of a chapter. Its functions keep no state between calls.
 struct sculpture_tool {
-    const char *texture; // the sampler3D whose volume it changes
+    const char *texture; // the sampler3D whose volume the tool changes
     int size[3];         // texels of the volume
-    const char *amount;  // the parameter that is a new stroke's amount; 0 puts the tool away
+    const char *amount;  // the parameter that gives a new stroke's amount; 0 puts the tool away
     // Find the point of a stroke.
-    //   volume  as it was when the stroke began: four bytes for each texel, x fastest, then y
-    //           upwards, then z
-    //   point   receives it, in the volume's own coordinates
+    //   volume  the volume as it was when the stroke began: four bytes for each texel, x fastest,
+    //           then y upwards, then z
+    //   point   receives the point, in the volume's coordinates
     // Returns false if there is nothing to work on.
     bool (*aim)(const unsigned char *volume, const struct sculpture_aim *aim, double point[3]);
     // Carry out a piece of a stroke.
-    //   volume  is changed
-    //   before  as it was when the stroke began
+    //   volume  the volume to change
+    //   before  the volume as it was when the stroke began
     //   from    the previous point; for the first piece of a stroke, the same as to
-    //   slices  receives the index of the first slice that has changed, and that after the last
+    //   slices  receives the indices of the first changed slice and of the slice after the last one
     void (*work)(unsigned char *volume, const unsigned char *before, const double from[3],
                  const double to[3], double amount, int slices[2]);
 };
 
 // The volume of a renderer. It is closed if everything but its tool is zero.
 struct sculpture {
-    const struct sculpture_tool *tool; // NULL if there is none
+    const struct sculpture_tool *tool; // NULL if the chapter has no tool
     // The volume as in the file, before the last stroke, and now; NULL until there is a stroke.
     // Owned.
     unsigned char *original, *before, *now;
-    const struct strokes *strokes; // the strokes carried out so far:
-    int taken_back, done, points;  // their taken_back, whole strokes, and points of the next one
+    // The strokes that were carried out, with their taken_back; how many whole strokes of them were
+    // done, and how many points of the next stroke.
+    const struct strokes *strokes;
+    int taken_back, done, points;
 };
 
 // ---- Strokes ----
 
-// Begin a stroke, or add a point to the last one. Amounts and coordinates are rounded to 0.0001, so
-// that a stroke can be printed exactly.
+// Begin a stroke, or add a point to the last one. Amounts and coordinates are rounded to multiples
+// of 0.0001, so that a stroke can be printed exactly.
 void strokes_begin(struct strokes *strokes, double amount);
 void strokes_add(struct strokes *strokes, const double point[3]);
 
-// Take back the last strokes, at most this many.
+// Take back the last count strokes, or all if there are fewer.
 void strokes_take_back(struct strokes *strokes, int count);
 
-// Read a stroke, AMOUNT,X,Y,Z,X,Y,Z,... Returns false without reporting an error if the
+// Read a stroke of the form AMOUNT,X,Y,Z,X,Y,Z,... Returns false without reporting an error if the
 // text is not a stroke.
 bool strokes_read(struct strokes *strokes, const char *text);
 
-// The text that strokes_read reads; the caller frees it.
+// The text of a stroke, as strokes_read reads it. The caller frees the text.
 char *stroke_text(const struct stroke *stroke);
 
 void strokes_free(struct strokes *strokes);
@@ -83,11 +85,11 @@ void strokes_free(struct strokes *strokes);
 // ---- The volume ----
 
 // Carry out the strokes that the texture does not have yet.
-//   textures, samplers, source  of the shader, which may lack the tool's texture: then nothing is
+//   textures, samplers, source  those of the shader; if it lacks the tool's texture, nothing is
 //                               done
-//   strokes                     NULL if there is none
-// Returns false after reporting the error if the picture cannot be read again, or its size is not
-// the one that the tool needs.
+//   strokes                     NULL if there are none
+// Returns false after reporting the error if the volume's file cannot be read again, or if the
+// volume does not have the size that the tool needs.
 bool sculpture_follow(struct sculpture *sculpture, const struct gl *gl,
                       const struct textures *textures, const struct samplers *samplers,
                       const struct shader_source *source, const struct strokes *strokes);

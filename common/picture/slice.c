@@ -2,21 +2,21 @@
 
 #include <math.h>
 
-#define BEHIND     0.10  // shown left of the eye, as a fraction of the length to its right
-#define BEYOND     0.35  // shown right of a hit, as a fraction of the length up to it
+#define BEHIND     0.10  // length shown left of the eye, as a fraction of the length to its right
+#define BEYOND     0.35  // length shown right of a hit, as a fraction of the length up to the hit
 #define NOTHING    8.0   // scene units shown of a ray that was not marched
-#define TICK_SHARE 0.115 // from tick to tick, as a fraction of the picture's width, at least
-#define CELLS      180   // in the picture's height
+#define TICK_SHARE 0.115 // least distance between ticks, as a fraction of the picture's width
+#define CELLS      180   // cells in the picture's height
 #define PLOT_ABOVE 10.0  // cells above the highest distance, for the axis's name
-#define PLOT_BELOW 9.0   // cells below the lowest one
-#define PLOT_TICKS 4.5   // in the plot's height, at most
+#define PLOT_BELOW 9.0   // cells below the lowest distance
+#define PLOT_TICKS 4.5   // most ticks in the plot's height
 
 float slice_cell(int height)
 {
     return fmaxf(1.0f, floorf((float)height / CELLS));
 }
 
-// The step with the smallest distance: for a hit, usually the last one.
+// The step with the smallest distance; for a hit, this is usually the last step.
 static const struct probe_step *nearest_step(const struct probe *probe, int steps)
 {
     const struct probe_step *nearest = &probe->step[0];
@@ -26,7 +26,7 @@ static const struct probe_step *nearest_step(const struct probe *probe, int step
     return nearest;
 }
 
-// The smallest of 1, 2 or 5 times a power of ten that is not less than a length.
+// Find the smallest number that is not less than a length and is 1, 2 or 5 times a power of ten.
 static void round_tick(double length, float *tick, int digits[2])
 {
     int power = (int)floor(log10(length));
@@ -50,7 +50,8 @@ struct slice_frame slice_frame_of(const struct probe *probe, int width, int heig
         const struct probe_step *nearest = nearest_step(probe, steps);
         double last = (double)probe->step[steps - 1].t;
         centre = (double)nearest->t;
-        // A ray that only moves away is shown whole: a shadow ray, or one into the sky.
+        // A ray that only moves away from the scene, such as a shadow ray or a ray into the sky, is
+        // shown whole.
         if (probe->end == PROBE_PASSED && nearest == &probe->step[0])
             end = 1.05 * last;
         else if (probe->end == PROBE_PASSED)
@@ -58,16 +59,16 @@ struct slice_frame slice_frame_of(const struct probe *probe, int width, int heig
         else
             end = last * (1.0 + BEYOND);
     }
-    if (!(fabs(centre) < 1e9)) // not a number, or infinite: a shader's mistake
+    if (!(fabs(centre) < 1e9)) // NaN or infinite, because of a mistake in the shader
         centre = 0.0;
-    if (!(end > 0.0 && end < 1e9)) // or a march that starts on the surface
+    if (!(end > 0.0 && end < 1e9)) // likewise, or 0 for a march that starts on the surface
         end = fmax(centre, 1.0);
     double times = zoom > 0.0f ? (double)zoom : 1.0, shown = (1.0 + BEHIND) * end / times;
     double left = centre + (-BEHIND * end - centre) / times;
     struct slice_frame frame = {.left = (float)left, .unit = (float)(shown / width)};
     frame.bottom = -0.5f * (float)height * frame.unit;
     round_tick(TICK_SHARE * shown, &frame.tick, frame.digits);
-    // A tick of 1 or 5 is divided into fifths, one of 2 into quarters.
+    // A tick of 1 or 5 is divided into fifths, a tick of 2 into quarters.
     bool quarters = frame.digits[0] == 2 * (int)lround(pow(10.0, floor(log10(frame.digits[0]))));
     frame.line = (float)((double)frame.tick / (quarters ? 4.0 : 5.0));
     return frame;

@@ -19,7 +19,7 @@ static const char fragment_text[] = GL_GLSL "out vec4 fragment;\n"
                                             "    fragment = vec4(0.25);\n"
                                             "}\n";
 
-// Blend a quarter twice over 0, in one pixel.
+// Add a quarter twice to 0 by blending, in one pixel.
 static void draw_half(const struct gl *gl, GLuint program)
 {
     GLuint vertex_array;
@@ -63,7 +63,8 @@ void target_upload(const struct gl *gl, int width, int height, const unsigned ch
     read_nearest(gl);
 }
 
-// Bind a target, and allocate it if its size is new. Returns false if the driver cannot.
+// Bind a target, and allocate its pixels if its size is new. Returns false if the driver cannot
+// allocate them.
 static bool make(struct target *target, const struct gl *gl, int width, int height)
 {
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);

@@ -6,7 +6,7 @@
 
 #include "context/gl.h"
 
-// Red, green, blue and alpha. Its pixels are allocated by target_bind.
+// A framebuffer with one texture of red, green, blue and alpha. target_bind allocates the pixels.
 struct target {
     GLuint framebuffer, texture;
     GLenum format;
@@ -14,19 +14,19 @@ struct target {
 };
 
 // Link a program of the harness itself.
-//   what  names it in the report
-// Reports an error and returns 0 if the driver rejects it.
+//   what  names the program in the report
+// Reports an error and returns 0 if the driver rejects the program.
 GLuint target_program(const struct gl *gl, const char *what, const char *vertex,
                       const char *fragment);
 
 // Fill the bound texture with an image of one byte per pixel.
 void target_upload(const struct gl *gl, int width, int height, const unsigned char *pixel);
 
-// A vertex shader: three vertices without a buffer, a triangle that covers the target.
+// A vertex shader that needs no buffer: its three vertices form a triangle that covers the target.
 extern const char target_vertex[];
 
-// The format of targets that blend: GL_RGBA32F, as OpenGL 3.3 requires of every driver; GL_RGBA16F
-// if that does not blend.
+// The format of targets into which blending draws: GL_RGBA32F, with which OpenGL 3.3 requires every
+// driver to blend, or GL_RGBA16F if this driver cannot.
 GLenum target_format(const struct gl *gl);
 
 // Open a target without pixels, and close it.
@@ -38,7 +38,7 @@ void target_close(struct target *target, const struct gl *gl);
 // Returns false after reporting the error if the driver has no float target, or none of that size.
 bool target_bind(struct target *target, const struct gl *gl, int width, int height);
 
-// Read a target: 4 floats per pixel, bottom row first. It stays bound for reading.
+// Read a target: 4 floats per pixel, bottom row first. The target stays bound for reading.
 //   values  room for 4 * width * height floats
 void target_read(const struct target *target, const struct gl *gl, float *values);
 

@@ -27,7 +27,7 @@ static void make_code(struct code *code, bool srgb)
     }
 }
 
-// The byte that is nearest to a value, compared in the encoded scale.
+// The byte that is nearest to a value on the encoded scale.
 static unsigned char encode(const struct code *code, float value)
 {
     int byte = 0;
@@ -44,10 +44,10 @@ static size_t texels(const int size[3])
     return (size_t)size[0] * (size_t)size[1] * (size_t)size[2];
 }
 
-// Halve one axis: each new texel is the mean of those that it covers, some of them in part if the
-// side is odd.
-//   size  of the values; becomes that of the new ones
-// Returns the new values, which the caller frees, or NULL.
+// Halve one axis: each new texel is the mean of the old texels that it covers, some of them only
+// partly if the side is odd.
+//   size  the size of the old values; receives that of the new values
+// Returns the new values, which the caller frees, or NULL if memory is short.
 static float *halve(const float *value, int size[3], int axis)
 {
     size_t inner = CHANNELS, outer = 1;
@@ -81,8 +81,8 @@ static unsigned char *add_level(struct texture_image *image, const int size[3])
     return level;
 }
 
-// Make the first level: a file's bytes, each slice with its bottom row first. Returns its values,
-// which the caller frees; NULL if memory is short.
+// Make the first level from a file's bytes, each slice with its bottom row first. Returns the
+// level's values, which the caller frees, or NULL if memory is short.
 static float *first_level(struct texture_image *image, const struct image_bytes *bytes,
                           const struct code code[2], const int size[3])
 {
@@ -97,7 +97,8 @@ static float *first_level(struct texture_image *image, const struct image_bytes 
     return value;
 }
 
-// Make the other levels from the values of the first, which are freed.
+// Make the other levels from the values of the first level, and free these values. Returns false if
+// memory is short.
 static bool make_levels(struct texture_image *image, const struct code code[2], float *value,
                         int size[3])
 {
@@ -129,7 +130,7 @@ bool texture_image_read(struct texture_image *image, const struct sampler *sampl
     int size[3] = {bytes.width, bytes.height / slices, slices};
     bool fits = bytes.height % slices == 0, done = false;
     if (fits) {
-        struct code code[2]; // of colours, of alpha
+        struct code code[2]; // for the colours, and for alpha
         make_code(&code[0], sampler->srgb);
         make_code(&code[1], false);
         done = make_levels(image, code, first_level(image, &bytes, code, size), size);

@@ -1,4 +1,4 @@
-// texture.h - the pictures that a shader reads: from PNG files to OpenGL textures.
+// texture.h - the pictures that a shader reads, from PNG files into OpenGL textures.
 #ifndef TEXTURE_H
 #define TEXTURE_H
 
@@ -8,31 +8,31 @@
 #include "picture/image.h"
 #include "shader/parameter.h"
 
-#define TEXTURE_UNIFORMS 3  // of a texture: its sampler, and its size for Shadertoy and glslViewer
-#define TEXTURE_LEVELS   15 // of a picture with a side of IMAGE_SIDE_LIMIT
-#define TEXTURE_PIXELS   ((size_t)1 << 24) // of a picture, at most: 4096 x 4096
+#define TEXTURE_UNIFORMS 3  // per texture: its sampler, and its size for Shadertoy and glslViewer
+#define TEXTURE_LEVELS   15 // mip levels of a picture with a side of IMAGE_SIDE_LIMIT
+#define TEXTURE_PIXELS   ((size_t)1 << 24) // most pixels of a picture: 4096 x 4096
 
-// A picture or a volume with its mip levels: level 0 has its own size, and each further level has
-// half of every side, rounded down but at least 1. A texel is the mean of the texels that it
-// covers, in linear light, for each channel: the box filter.
+// A picture or a volume with its mip levels: level 0 has the full size, and each further level has
+// half of every side, rounded down but at least 1. Each channel of a texel is the mean, in linear
+// light, of the texels that this texel covers: the box filter.
 struct texture_image {
-    int count;                            // of levels
+    int count;                            // number of levels
     int size[TEXTURE_LEVELS][3];          // width, height, slices
     unsigned char *level[TEXTURE_LEVELS]; // RGBA; the first row is the bottom one; owned
 };
 
 // Read a picture and compute its levels.
-//   sampler  how it is read. The slices of a volume are one below another in the file, the first at
-//            the top, and each is upright
-//   why      receives one phrase on failure: that of image_read_bytes, slices that do not fit, no
-//            memory
-// Returns false without reporting an error if that fails. Free with texture_image_free.
+//   sampler  how the shader reads the picture. The slices of a volume are one below another in the
+//            file; the first is at the top, and each is upright
+//   why      receives one phrase on failure: that of image_read_bytes, that the slices do not fit,
+//            or that memory is short
+// Returns false without reporting an error on failure. Free with texture_image_free.
 bool texture_image_read(struct texture_image *image, const struct sampler *sampler,
                         const char *path, char why[IMAGE_WHY]);
 void texture_image_free(struct texture_image *image);
 
 struct texture {
-    char name[64]; // of its sampler
+    char name[64]; // the sampler's name
     GLenum target;
     GLuint texture;
     int size[2]; // pixels
@@ -43,11 +43,12 @@ struct textures {
     int count;
 };
 
-// Read the pictures of all samplers, in their order. Textures are filtered linearly, within a level
-// and between levels.
-//   source  of the samplers
-// Returns false after reporting the error with file and line: texture_image_read failed, or the
-// driver has too little memory or too few units. Free with textures_free in the same context.
+// Read the pictures of all samplers, in the samplers' order. Textures are filtered linearly, within
+// a level and between levels.
+//   source  the shader that declares the samplers
+// Returns false after reporting the error with file and line if texture_image_read fails, or if a
+// picture exceeds the driver's limits for sides, memory or texture units. Free with textures_free
+// in the same context.
 bool textures_load(struct textures *textures, const struct gl *gl, const struct samplers *samplers,
                    const struct shader_source *source);
 void textures_free(struct textures *textures, const struct gl *gl);
@@ -57,8 +58,8 @@ void textures_free(struct textures *textures, const struct gl *gl);
 void textures_locate(const struct textures *textures, const struct gl *gl, GLuint program,
                      GLint *location);
 
-// Bind the textures for the program in use, to the units from 1 on. Unit 0 stays active and empty,
-// so a sampler that nothing sets reads black, never the picture being drawn.
+// Bind the textures for the program in use to texture units 1, 2 and so on. Unit 0 stays active and
+// empty, so a sampler that nothing sets reads black, never the picture being drawn.
 //   location  from textures_locate
 void textures_bind(const struct textures *textures, const struct gl *gl, const GLint *location);
 

@@ -73,7 +73,7 @@ bool annotation_declaration(struct annotation *a)
             continue;
         while (a->quiet && count == 2 && t[1].sign != ';' && t[1].line == uniform->line &&
                t[1].kind != GLSL_END && t + 1 != a->comment)
-            t++; // a default value
+            t++; // skip a default value
     }
     bool good = count > 1 && word[0]->sign == '\0' && word[1]->sign == '\0' &&
                 word[0]->length < ANNOTATION_NAME && word[1]->length < ANNOTATION_NAME;
@@ -121,7 +121,7 @@ void annotation_begin(struct annotation *a, const struct shader_source *source,
     *a = (struct annotation){.what = what,
                              .example = example,
                              .source = source,
-                             // The author of another tool's file may mean something else.
+                             // In a file for another tool, the comment may mean something else.
                              .quiet = source->dialect != DIALECT_COURSE,
                              .line = uniform->line,
                              .uniform = uniform,

@@ -1,50 +1,51 @@
-// annotation.h - a uniform and the comment after it, for both kinds of annotation: parameters and
-// samplers.
+// annotation.h - reads a uniform and the comment after it, for both kinds of annotation: parameters
+// and samplers.
 #ifndef SHADER_ANNOTATION_H
 #define SHADER_ANNOTATION_H
 
 #include "shader/parameter.h"
 
-#define BLANKS " \t\v\f\r" // within a line
+#define BLANKS " \t\v\f\r" // blanks within a line
 
-enum { ANNOTATION_NAME = 64 }; // size of a name or a type
+enum { ANNOTATION_NAME = 64 }; // bytes of a name or a type, including the end
 
 // An annotated uniform, on one line.
 struct annotation {
-    const char *what, *example; // for messages: "parameter", and an example of one
+    const char *what, *example; // for messages: "parameter" or "sampler", and an example of one
     const struct shader_source *source;
-    bool quiet;                                        // nothing is reported
+    bool quiet;                                        // report nothing
     int line;                                          // line of the text, from 0
-    const struct glsl_token *uniform, *type, *comment; // comment: NULL if none
+    const struct glsl_token *uniform, *type, *comment; // comment is NULL if there is none
     char name[ANNOTATION_NAME];
-    char *words;   // text of the comment, owned; "" for none
-    const char *c; // the part of it that is not yet read
+    char *words;   // text of the comment, owned; "" if there is none
+    const char *c; // the part of words that has not been read yet
     struct parameter parameter;
     struct sampler sampler;
 };
 
-// Begin with a uniform: find the comment on its line. A no-break space, which a French keyboard
-// types, counts as a blank except in quotes; a control character becomes a question mark.
-//   what, example  "parameter", and an example of one
-// The caller frees words.
+// Begin to read a uniform's annotation: find the comment on the uniform's line. A no-break space,
+// which a French keyboard types, counts as a blank except in quotes; a control character becomes a
+// question mark.
+//   what, example  as in struct annotation
+// The caller frees a->words.
 void annotation_begin(struct annotation *a, const struct shader_source *source,
                       const struct glsl_token *uniform, const char *what, const char *example);
 
-// Report a malformed annotation; always false.
+// Report a malformed annotation, unless it is quiet. Always returns false.
 bool annotation_refuse(const struct annotation *a, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-// If a character, or a whole word, is next, skip it and the blanks around it.
+// If a character, or a whole word, is next, skip it and the blanks around it, and return true.
 bool annotation_accept(struct annotation *a, char c);
 bool annotation_accept_word(struct annotation *a, const char *word);
 
 // Copy the next length bytes of the comment, without the blanks around them. Returns false after
-// reporting the error if there are none or too many.
+// reporting the error if none of these bytes remain, or too many.
 //   part  what these bytes are, for messages
 bool annotation_copy(struct annotation *a, const char *part, char *to, size_t size, size_t length);
 
-// Read "uniform TYPE NAME;", which must be the only code on its line. Returns false after reporting
-// the error.
+// Read "uniform TYPE NAME;", which must be the only code on its line. If the annotation is quiet, a
+// default value may follow the name. Returns false after reporting the error.
 bool annotation_declaration(struct annotation *a);
 
 // Read the samplers of a source: see parameters_read.

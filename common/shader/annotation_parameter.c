@@ -12,6 +12,7 @@
 
 // ---- Numbers ----
 
+// Read a number that a float can represent.
 //   single  only one number is allowed: a comma with a digit after it is refused
 static bool read_any_number(struct annotation *a, const char *what, bool single, double *value)
 {
@@ -29,7 +30,7 @@ static bool read_any_number(struct annotation *a, const char *what, bool single,
     return true;
 }
 
-// Read a number that the parameter's type can hold.
+// Read a number that the parameter's type can represent.
 static bool read_number(struct annotation *a, const char *what, bool single, double *value)
 {
     if (!read_any_number(a, what, single, value))
@@ -42,19 +43,19 @@ static bool read_number(struct annotation *a, const char *what, bool single, dou
 
 // ---- The parts of a comment ----
 
-// True for a comment that declares a parameter, by the rule in parameter.h.
+// True for a comment that declares a parameter, according to the rule in parameter.h.
 static bool begins_with_value(const char *comment)
 {
     double ignored;
     const char *c = comment + strspn(comment, BLANKS);
     size_t length = number_begin(c + (*c == '('), &ignored);
-    if (*c == '(') // "(0.6, 0.1)" is a value, "(2) is" is not
+    if (*c == '(') // "(0.6, 0.1)" begins with a value, but "(2) is" does not
         return length > 0 && c[1 + length] == ',';
     if (strncmp(c, "true", 4) == 0)
         length = 4;
     else if (strncmp(c, "false", 5) == 0)
         length = 5;
-    return length > 0 && strchr(BLANKS ",:", c[length]) != NULL; // or the end of the text
+    return length > 0 && strchr(BLANKS ",:", c[length]) != NULL; // strchr finds '\0' too
 }
 
 static bool read_bool_value(struct annotation *a)
@@ -91,7 +92,7 @@ static bool read_values(struct annotation *a)
         count++;
     } while (annotation_accept(a, ','));
     if (!closed && !annotation_accept(a, ')'))
-        return annotation_refuse(a, "the values are not closed: write (x, y)");
+        return annotation_refuse(a, "the values need a closing parenthesis: write (x, y)");
     if (count != 1 && count != p->components)
         return annotation_refuse(a, "%d values for %d component%s: give %s", count, p->components,
                                  p->components == 1 ? "" : "s",
@@ -198,13 +199,13 @@ static bool read_parameter(struct annotation *a)
     return read_words(a);
 }
 
-// Read the parameter that a uniform declares. Returns false for a malformed one.
-//   found  receives whether its comment declares one
+// Read the parameter that a uniform declares, if any. Returns false if it is malformed.
+//   found  receives whether the uniform's comment declares a parameter
 static bool read_uniform(struct annotation *a, const struct shader_source *source,
                          const struct glsl_token *uniform, bool *found)
 {
     annotation_begin(a, source, uniform, "parameter", EXAMPLE);
-    a->parameter.minimum = -10.0; // of a handle without a range
+    a->parameter.minimum = -10.0; // the range of a handle that gives none
     a->parameter.maximum = 10.0;
     *found = begins_with_value(a->c);
     bool done = !*found || read_parameter(a);
@@ -226,7 +227,7 @@ bool parameter_declared(const struct shader_source *source, const struct glsl_to
 static bool add_parameter(struct parameters *parameters, const struct annotation *a)
 {
     if (parameters_find(parameters, a->name) != NULL)
-        return a->quiet || // the first one counts
+        return a->quiet || // the first declaration counts
                annotation_refuse(a, "is declared twice: remove one declaration");
     parameters->item = memory_row(parameters->item, parameters->count, sizeof *parameters->item);
     parameters->item[parameters->count++] = a->parameter;
@@ -237,7 +238,7 @@ bool parameters_read(struct parameters *parameters, struct shader_source *source
 {
     const struct glsl *code = &source->code;
     bool course = source->dialect == DIALECT_COURSE;
-    int line = -1; // of the last token other than a comment
+    int line = -1; // line of the last token that is not a comment
     *parameters = (struct parameters){0};
     bool done = samplers_read(&parameters->samplers, source);
     for (const struct glsl_token *t = code->item; done && t->kind != GLSL_END; t++) {

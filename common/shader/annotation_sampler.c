@@ -11,7 +11,7 @@
 #define EXAMPLE3 "uniform sampler3D NAME; // \"noise.png\" linear repeat 64: meaning"
 
 // Read one of two words.
-//   what  what the two words are for
+//   what  explains the two words, for messages
 static bool read_choice(struct annotation *a, const char *first, const char *second,
                         const char *what, bool *is_first)
 {
@@ -63,7 +63,7 @@ static bool read_picture(struct annotation *a, bool volume, char file[256])
            annotation_copy(a, "meaning", sampler->meaning, sizeof sampler->meaning, strlen(a->c));
 }
 
-// The FILE of the last --texture NAME=FILE for this name, or NULL.
+// The FILE of the last --texture NAME=FILE for this name, or NULL if there is none.
 static const char *other_file(const struct shader_source *source, const char *name)
 {
     const struct shader_request *request = &source->request;
@@ -92,7 +92,7 @@ static bool add_sampler(struct samplers *samplers, const struct sampler *sampler
     return true;
 }
 
-// The type of a uniform if it is a sampler of any kind, or NULL.
+// The token of a uniform's type if this is a sampler of any kind, otherwise NULL.
 static const struct glsl_token *sampler_type(const struct glsl_token *uniform)
 {
     const struct glsl_token *t = uniform + 1;
@@ -104,7 +104,8 @@ static const struct glsl_token *sampler_type(const struct glsl_token *uniform)
 static bool read_sampler(struct samplers *samplers, struct shader_source *source,
                          const struct glsl_token *uniform, const struct glsl_token *type)
 {
-    // The tables of the march, of the coarse pass and of the labels, which the harness fills in.
+    // The samplers of the march, of the coarse pass and of the axis labels, which the harness sets
+    // itself.
     static const char *const own[] = {"iMarch", "iCoarse", "iSigns", NULL};
     bool volume = glsl_is(type, "sampler3D"), twice = false;
     struct annotation a;
@@ -130,8 +131,8 @@ static bool read_sampler(struct samplers *samplers, struct shader_source *source
     return done;
 }
 
-// Add the pictures of --channel, and those that the text names. As by default in Shadertoy, they
-// repeat.
+// Add the pictures of --channel, and those that the text names. These pictures repeat, as they do
+// by default in Shadertoy.
 static bool add_channels(struct samplers *samplers, struct shader_source *source)
 {
     const char *const *channels = source->request.channels;

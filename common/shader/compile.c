@@ -16,7 +16,7 @@ char *shader_text(const struct shader_source *source, enum shader_view view)
     return text;
 }
 
-// Report why a step failed, in the author's files and lines.
+// Report why a step failed, with the author's files and lines.
 //   step  "compile" or "link"
 //   log   what the driver wrote; may be NULL or empty
 static void report_failure(const struct shader_source *source, enum shader_view view,
@@ -37,7 +37,7 @@ static void report_failure(const struct shader_source *source, enum shader_view 
 
 // ---- The two stages ----
 
-// The driver's log; NULL if it wrote nothing.
+// The driver's log; NULL if the driver wrote nothing.
 static char *read_log(void (*get)(GLuint object, GLsizei size, GLsizei *length, GLchar *log),
                       GLuint object, GLint size)
 {
@@ -55,11 +55,11 @@ static GLuint compile(const struct gl *gl, GLenum stage, const char *text)
     return shader;
 }
 
-// A program that was begun. Its result is not asked for at once, because the answer would have to
-// wait for the driver.
+// A program that was begun. The result is not queried at once, because the query would wait for the
+// driver.
 struct begun {
-    char *text[2];            // of its stages, owned; NULL if the caller has them
-    GLuint stage[2], program; // 0 before they have begun
+    char *text[2];            // texts of the stages, owned; NULL if the caller owns them
+    GLuint stage[2], program; // 0 before they are begun
 };
 
 static void begin(const struct gl *gl, struct begun *one, const char *vertex, const char *fragment)
@@ -72,7 +72,7 @@ static void begin(const struct gl *gl, struct begun *one, const char *vertex, co
     gl->LinkProgram(one->program);
 }
 
-// The first step that failed, or the last step.
+// The first step that failed, or SHADER_LINK if both stages compiled.
 static enum shader_step step_of(const struct gl *gl, const struct begun *one)
 {
     for (int i = 0; i < 2; i++) {
@@ -95,7 +95,7 @@ static void leave(const struct gl *gl, struct begun *one)
     *one = (struct begun){.program = 0};
 }
 
-// Wait for a program, as shader_link_texts describes.
+// Wait for a program, and return what shader_link_texts returns.
 static GLuint end(const struct gl *gl, struct begun *one, enum shader_step *step, char **log)
 {
     GLuint program = one->program;
@@ -126,7 +126,7 @@ static GLuint end(const struct gl *gl, struct begun *one, enum shader_step *step
 static struct begun list[4];
 enum { LIST = sizeof list / sizeof *list };
 
-// The program that was begun with these texts, or NULL.
+// The program that was begun with these texts, or NULL if there is none.
 static struct begun *find(const char *vertex, const char *fragment)
 {
     for (int i = 0; i < LIST; i++)
@@ -139,7 +139,7 @@ static struct begun *find(const char *vertex, const char *fragment)
 bool shader_ready(const struct gl *gl)
 {
     for (int i = 0; i < LIST; i++) {
-        GLint done = GL_TRUE; // a driver without the extension leaves it unchanged, with an error
+        GLint done = GL_TRUE; // stays, with an OpenGL error, if the driver lacks the extension
         if (list[i].program == 0)
             continue;
         gl->GetProgramiv(list[i].program, GL_COMPLETION_STATUS_KHR, &done);
@@ -170,8 +170,8 @@ GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fr
 
 // ---- A program ----
 
-// The vertex shader that computes what a fragment shader reads. The caller frees its prelude and
-// its body.
+// The vertex shader that computes the positions that a fragment shader reads. The caller frees its
+// prelude and its body.
 static struct shader_source vertex_for(const struct shader_source *vertex,
                                        const struct shader_source *fragment)
 {
@@ -185,12 +185,12 @@ static struct shader_source vertex_for(const struct shader_source *vertex,
     return stage;
 }
 
-// Prepare a message for a crash of the driver: a recursive compiler runs out of stack on a long
-// sum.
+// Prepare a message for a crash of the driver, because a recursive compiler runs out of stack on a
+// long sum.
 static void guard(const struct gl *gl, const struct shader_source *fragment)
 {
     guard_begin("%.800s: the graphics driver crashed on it, or needs more than 4 GB for it: "
-                "split its longest statement, shorten its arrays and macros",
+                "split its longest statement, or shorten its arrays and macros",
                 fragment->files[0]);
     const char *version = (const char *)gl->GetString(GL_VERSION);
     if (version != NULL && strstr(version, "Mesa") != NULL)
@@ -245,7 +245,7 @@ GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
         gl->DeleteProgram(program);
         program = 0;
     }
-    // An error that is already reported must not be blamed on the next call.
+    // An error that has already been reported must not be blamed on the next call.
     while (program == 0 && gl->GetError() != GL_NO_ERROR)
         continue;
     return program;

@@ -1,5 +1,5 @@
-// compile.h - from a shader's text to a linked program, with each error in the author's file and
-// line.
+// compile.h - turns a shader's text into a linked program, and reports each error with the author's
+// file and line.
 #ifndef SHADER_COMPILE_H
 #define SHADER_COMPILE_H
 
@@ -8,14 +8,14 @@
 #include "shader/inputs.h"
 #include "shader/source.h"
 
-// The text to compile: the prelude of dialect.h, then the expanded text, translated if need be.
+// The text to compile: the prelude of dialect.h, then the expanded text, translated if necessary.
 // Returns memory that the caller frees.
 char *shader_text(const struct shader_source *source, enum shader_view view);
 
-// Compile and link.
+// Compile and link a program.
 //   vertex   shaders/screen.vert
-// Returns the program, owned by the caller, or 0, with every error reported with its file and line,
-// and the source line below it.
+// Returns the program, owned by the caller, or 0 after reporting the errors, each with its file and
+// line, and the source line below it.
 GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
                    struct shader_source *fragment, enum shader_view view);
 
@@ -29,7 +29,7 @@ void shader_begin(const struct gl *gl, const struct shader_source *vertex,
 // the answer is always true.
 bool shader_ready(const struct gl *gl);
 
-// Delete the programs that were begun but not taken.
+// Delete the programs that were begun but not taken by shader_link.
 void shader_forget(const struct gl *gl);
 
 // The steps to a linked program.
@@ -42,13 +42,14 @@ enum shader_step { SHADER_COMPILE_VERTEX, SHADER_COMPILE_FRAGMENT, SHADER_LINK }
 GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fragment,
                          enum shader_step *step, char **log);
 
-// Rewrite a driver's log in the author's files and lines, for the text that shader_text returned
-// for this source and view. Understands Mesa "0:12(3): ", NVIDIA "0(12) : " and "ERROR: 0:12: ". A
-// message about a function that is called but never defined gets the file and line of the call.
-// Each line becomes "FILE:LINE: error: message" with the source line below, which is shown only
-// once for consecutive messages and is cut after 160 bytes. Warnings are left out if the log has
-// errors; a message that names no line of the source is kept as it is; after 20 messages, the rest
-// are only counted. Returns memory that the caller frees.
+// Rewrite a driver's log with the author's files and lines, for the text that shader_text returned
+// for this source and view. A line of the log may begin as in Mesa, "0:12(3): ", as in NVIDIA's
+// driver, "0(12) : ", or with "ERROR: 0:12: ". A message about a function that is called but never
+// defined gets the file and line of the call. Each line becomes "FILE:LINE: error: message" with
+// the source line below, which is shown only once for consecutive messages and is cut after 160
+// bytes. Warnings are left out if the log has errors; a message that names no line of the source is
+// kept as it is; after 20 messages, the rest are only counted. Returns memory that the caller
+// frees.
 char *shader_explain(const struct shader_source *source, enum shader_view view, const char *log);
 
 #endif

@@ -11,7 +11,7 @@ static enum declared_kind kind_of(const struct glsl *code, const struct glsl_tok
                                                                     : DECLARED_VARIABLE;
 }
 
-// Take a name, if it can be declared with this kind.
+// Take a name, if it can be declared as this kind. Returns false if not.
 static bool take_name(struct declared *at, const struct glsl_token *name)
 {
     const struct glsl_token *t = name + 1;
@@ -26,7 +26,7 @@ static bool take_name(struct declared *at, const struct glsl_token *name)
     return true;
 }
 
-// Read a declaration up to its first name.
+// Read a declaration up to its first name. Returns false if there is no declaration.
 static bool take_declaration(struct declared *at, const struct glsl_token *t)
 {
     static const char *const qualifiers[] = {"flat",     "smooth",    "noperspective", "const",

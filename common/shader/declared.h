@@ -1,4 +1,4 @@
-// declared.h - the one reader of declarations: variables, inputs, outputs, uniforms and blocks.
+// declared.h - reads all declarations: variables, inputs, outputs, uniforms and blocks.
 #ifndef SHADER_DECLARED_H
 #define SHADER_DECLARED_H
 
@@ -13,33 +13,34 @@ enum declared_kind {
     DECLARED_IN,
     DECLARED_OUT,
     DECLARED_UNIFORM,
-    DECLARED_BLOCK // of inputs, outputs or uniforms
+    DECLARED_BLOCK // a block of inputs, outputs or uniforms
 };
 
-// A declared name, and the position of the reader. Begin with zeros and the code.
+// A declared name, and the position of the reader. Begin with a struct of zeros in which only code
+// is set.
 struct declared {
     const struct glsl *code;
     enum declared_kind kind;
     const struct glsl_token *begin;               // the first qualifier
-    const struct glsl_token *layout;              // among the qualifiers, or NULL
-    const struct glsl_token *type, *first, *name; // first: the first name of the declaration
+    const struct glsl_token *layout;              // the word layout among the qualifiers, or NULL
+    const struct glsl_token *type, *first, *name; // first is the first name of the declaration
     const struct glsl_token *value;               // the = after the name and its size, or NULL
-    const struct glsl_token *end; // after all these: a comma, a semicolon, ...; of a block, its {
+    const struct glsl_token *end; // after all these: a comma, a semicolon, ...; for a block, its {
     const char *storage;          // the storage that declared_store last wrote
     const char *word;             // the name
 };
 
-// Move to the next declared name; false at the end.
+// Move to the next declared name. Returns false at the end.
 bool declared_next(struct declared *at);
 
 // True if the name's layout gives it location 0.
 bool declared_is_first(const struct declared *at);
 
-// True if the name is that of an array.
+// True if the name declares an array.
 bool declared_is_array(const struct declared *at);
 
-// True if the text mentions the name elsewhere, perhaps in a macro; for a block, one of its members
-// or its name.
+// True if the text mentions the name elsewhere, perhaps in a macro. For a block, this applies to
+// the name after its braces or, if there is none, to its members.
 bool declared_is_read(const struct declared *at);
 
 // Declare the name with another storage, without its layout and interpolation: "uniform", or "" for
@@ -49,17 +50,18 @@ void declared_store(struct declared *at, struct edits *edits, const char *storag
 // The outputs of a file with its own main.
 struct outputs {
     int count;
-    struct declared shown;  // at location 0, or the first
-    struct declared second; // the first of the others
-    bool placed;            // one of them is at location 0
+    struct declared shown;  // the output at location 0, or the first output
+    struct declared second; // the first of the other outputs
+    bool placed;            // an output is at location 0
 };
 
 // Find the outputs.
-//   uncertain  count also those inside an #if that only the driver can decide
+//   uncertain  also count outputs inside an #if that only the driver can decide
 struct outputs declared_outputs(const struct glsl *code, bool uncertain);
 
-// The output that is the picture, in a file with its own main: the one at location 0, or the first,
-// among the certain ones if there are any. Its kind is DECLARED_NONE if there is no output.
+// The output that is the picture, in a file with its own main: the output at location 0, or the
+// first. If some outputs are certain, only these count. The kind of the result is DECLARED_NONE if
+// there is no output.
 struct declared declared_output(const struct glsl *code);
 
 // True if anything outside functions, or a macro, declares or defines a word.

@@ -12,7 +12,7 @@
 #include "shader/parameter.h"
 #include "shader/translate.h"
 
-#define ARRAY_LIMIT  65536 // elements
+#define ARRAY_LIMIT  65536 // most elements of an array
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
 // ---- Files of other kinds ----
@@ -43,7 +43,7 @@ static const struct kind functions[] = {
                     "offered"},
     {"transition", "a GL Transition, which blends two pictures: there are none here"}};
 
-// The kind of file that a first comment in JSON describes, or NULL.
+// The kind of file that a first comment in JSON describes, or NULL if there is no such comment.
 static const char *what_of_header(const struct glsl *code)
 {
     static const char isf[] = "an ISF file, because of its first comment: ISF is not read here: "
@@ -133,8 +133,8 @@ static bool refuse_image(const struct shader_source *source, const struct glsl_t
                          "mainImage(out vec4 fragColor, in vec2 fragCoord)");
 }
 
-// Check that mainImage returns its colour in an out parameter, and that the text writes no other
-// output.
+// Check that mainImage returns its colour in an out parameter, and that the text does not write
+// gl_FragColor.
 static bool check_image(const struct shader_source *source)
 {
     const struct glsl *code = &source->code;
@@ -153,8 +153,8 @@ static bool check_image(const struct shader_source *source)
 
 // ---- The dialect ----
 
-// A course file that --print-shader wrote begins with the prelude. Make these lines comments, so
-// that the file is in the course's dialect again.
+// A course file that --print-shader wrote begins with the prelude. Overwrite these two lines with
+// blanks, so that the file is in the course's dialect again. Returns false for any other file.
 static bool forget_prelude(struct shader_source *source)
 {
     static const char first[] = "#version 330 core\n#define VIEW ";
@@ -168,8 +168,8 @@ static bool forget_prelude(struct shader_source *source)
     return true;
 }
 
-// A course file gets its #version from the prelude: with its own, it would be a whole file with a
-// second main.
+// A course file gets its #version from the prelude. With a #version of its own, it would be a whole
+// shader with two mains.
 static bool check_version(const struct shader_source *source)
 {
     for (int i = 1; i < source->file_count && source->version != 0; i++)
@@ -179,8 +179,8 @@ static bool check_version(const struct shader_source *source)
     return true;
 }
 
-// Determine the dialect. A file that defines main is a whole one if it includes nothing; the
-// course's vertex shader is not.
+// Determine the dialect. A file that defines main is a whole shader if it includes nothing, except
+// for the course's vertex shader.
 static enum shader_dialect dialect_of(struct shader_source *source)
 {
     const struct glsl *code = &source->code;
@@ -194,8 +194,8 @@ static enum shader_dialect dialect_of(struct shader_source *source)
     return source->version != 0 || whole ? DIALECT_WHOLE : DIALECT_COURSE;
 }
 
-// Determine the dialect of an expanded text, and translate it. The course's library declares its
-// own inputs.
+// Determine the dialect of an expanded text, and translate it. The course's dialect needs no
+// translation, because its library declares the inputs; those that the text mentions are listed.
 static bool take_dialect(struct shader_source *source)
 {
     const struct input *input;
@@ -227,7 +227,7 @@ bool shader_read(struct shader_source *source, const char *path, const char *roo
 
 // ---- Views ----
 
-// The first SHADER_VIEW_COUNT can be chosen.
+// Only the first SHADER_VIEW_COUNT of these can be chosen.
 static const char *const view_names[SHADER_PROGRAM_COUNT] = {
     "picture", "normals", "depth",       "steps",  "slice",      "plot",
     "probe",   "count",   "coarse pass", "places", "camera stop"};

@@ -1,5 +1,5 @@
-// dialect.h - the dialect of a shader file, its views, and errors in it that are explained in its
-// author's words.
+// dialect.h - the dialect of a shader file, its views, and explanations of its errors in the
+// author's terms.
 #ifndef SHADER_DIALECT_H
 #define SHADER_DIALECT_H
 
@@ -11,61 +11,63 @@
 enum shader_view {
     SHADER_PICTURE, // the colour of rayColour
     SHADER_NORMALS, // the first normal of the pixel's ray
-    SHADER_DEPTH,   // the distance at which its first march ended
-    SHADER_STEPS,   // the steps of all its marches
+    SHADER_DEPTH,   // the distance at which the ray's first march ended
+    SHADER_STEPS,   // the steps of all marches of the ray's pixel
     SHADER_SLICE,   // the march of one ray, seen from the side
-    SHADER_PLOT,    // the same, and below it the distance along that ray
+    SHADER_PLOT,    // the march, and below it a plot of the distance along that ray
     SHADER_VIEW_COUNT,
-    SHADER_PROBE = SHADER_VIEW_COUNT, // from here on, no views: the steps of one ray, as numbers
+    // From here on, the values are programs, but not views.
+    SHADER_PROBE = SHADER_VIEW_COUNT, // the steps of one ray, as numbers
     SHADER_COUNT,                     // evaluations of the scene for each pixel
     SHADER_COARSE,                    // where the rays of a block of pixels may start
-    SHADER_PLACES,                    // where a ray's steps are in the picture
+    SHADER_PLACES,                    // where points, such as a ray's steps, are in the picture
     SHADER_ROOM,                      // where a moving camera stops
     SHADER_PROGRAM_COUNT
 };
 
 // Read a shader, determine its dialect and translate it for the driver.
 //   path, root, request  as for shader_expand
-// Text that the preprocessor skips does not count. A file in Shadertoy's dialect mentions mainImage
-// and defines no main. Any other file with a #version is a whole one, with its own main, and so is
-// a file that defines main and includes nothing. All others, and the output of --print-shader, are
-// in the course's dialect.
-// Returns false after reporting the error with file and line: anything that shader_expand or
-// translate refuses; a file of another kind; nothing but comments; an array whose literal size
-// exceeds 65536; more tokens than growth.h allows; a #version above an include of main.glsl. Free
-// with shader_free.
+// Text that the preprocessor skips is ignored. A file in Shadertoy's dialect mentions mainImage and
+// defines no main. Any other file with a #version is a whole shader, with its own main, and so is a
+// file that defines main and includes nothing. All others, and what --print-shader prints of a
+// course file, are in the course's dialect.
+// Returns false after reporting the error with file and line. The errors are: anything that
+// shader_expand or translate refuses; a file of another kind; nothing but comments; an array whose
+// literal size exceeds 65536; more tokens than growth.h allows; and a #version above an include of
+// main.glsl. Free with shader_free.
 bool shader_read_asked(struct shader_source *source, const char *path, const char *root,
                        const struct shader_request *request);
 
-// As shader_read_asked without a request.
+// Do the same as shader_read_asked, without a request.
 bool shader_read(struct shader_source *source, const char *path, const char *root);
 
 // True for the views of one ray's march, whose pixels are not those of the picture.
 bool shader_shows_ray(enum shader_view view);
 
-// The name of a view ("steps"), and the view of a name. The latter returns false without a report
-// if the name is unknown.
+// The name of a view ("steps"), and the view of a name. The latter returns false without reporting
+// an error if the name is unknown.
 const char *shader_view_name(enum shader_view view);
 bool shader_view_from_name(const char *name, enum shader_view *view);
 
 // True if the view can be shown. Otherwise the reason is reported: only the course's dialect has
-// views, because any other file has its own main, which records no march.
+// views other than the picture, because any other file has its own main, which records no march.
 bool shader_has_view(const struct shader_source *source, enum shader_view view);
 
 // The lines that the driver gets before the text: #version and VIEW, or the prelude of translate.
 // Returns memory that the caller frees.
 char *dialect_prelude(const struct shader_source *source, enum shader_view view);
 
-// Say in the author's words why a shader cannot run, if the driver's log does not help: it needs
-// something that is not offered, it has no main, or it is not a fragment shader.
+// Report in the author's terms why a shader cannot run, if the driver's log does not help: for
+// example, the shader needs something that is not offered, has no main, or is not a fragment
+// shader.
 //   log      the driver's log
 //   linking  the shader has compiled but did not link
-// Returns false without reporting an error if nothing of the kind is the cause.
+// Returns false without reporting an error if no such cause is found.
 bool dialect_refuses(const struct shader_source *source, const char *log, bool linking);
 
 // Check a shader that a driver has linked. Warns, in one line each, about uniforms and blocks that
 // are read but never set, and keeps the first warning in the source. Returns false after reporting
-// the error: a whole file that has no output, or gives it no value.
+// the error if a whole shader has no output, or gives it no value.
 bool dialect_accepts(struct shader_source *source);
 
 #endif

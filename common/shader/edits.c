@@ -8,7 +8,7 @@
 #include "memory.h"
 
 struct edit {
-    int begin, length; // of the part that is replaced
+    int begin, length; // the part that is replaced, bytes
     int number;        // the order of edits at one position
     char *text;
 };
@@ -54,7 +54,7 @@ char *edits_apply(struct edits *edits, const char *text)
         qsort(edits->item, (size_t)edits->count, sizeof *edits->item, by_position);
     for (int i = 0; i < edits->count; i++) {
         const struct edit *item = &edits->item[i];
-        if (item->begin < from) // inside a part that another edit has replaced
+        if (item->begin < from) // this edit begins inside a part that another edit has replaced
             continue;
         fprintf(stream, "%.*s%s", item->begin - from, text + from, item->text);
         for (from = item->begin; from < item->begin + item->length; from++)

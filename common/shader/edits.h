@@ -1,10 +1,10 @@
-// edits.h - edits of a GLSL text that keep its lines.
+// edits.h - edits to a GLSL text that keep its line numbers.
 #ifndef SHADER_EDITS_H
 #define SHADER_EDITS_H
 
 #include "shader/glsl.h"
 
-// Begin with zeros.
+// Begin with a struct of zeros.
 struct edits {
     struct edit *item; // owned
     int count;
@@ -12,15 +12,16 @@ struct edits {
 };
 
 // Replace a part of the text; several insertions at one position keep their order. The new text
-// must have no line ends; those of the part that is replaced stay.
+// must have no line ends; the line ends in the replaced part are kept.
 void edits_add(struct edits *edits, int begin, int length, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-// Replace a token; delete everything from one token to another, both included.
+// edits_replace replaces a token; edits_cut deletes everything from one token to another, both
+// included.
 void edits_replace(struct edits *edits, const struct glsl_token *token, const char *instead);
 void edits_cut(struct edits *edits, const struct glsl_token *from, const struct glsl_token *to);
 
-// Apply and free the edits. Returns memory that the caller frees.
+// Apply and free the edits. Returns the new text, which the caller frees.
 char *edits_apply(struct edits *edits, const char *text);
 
 void edits_free(struct edits *edits);

@@ -13,17 +13,17 @@
 #include "report.h"
 #include "shader/passes.h"
 
-#define TEXT_LIMIT  (8 * 1024 * 1024) // bytes of the expanded text
-#define DEPTH_LIMIT 64                // files open at once, including the first one
+#define TEXT_LIMIT  (8 * 1024 * 1024) // most bytes of the expanded text
+#define DEPTH_LIMIT 64                // most files open at once, including the first one
 #define BLANKS      " \t\v\f"
-#define WHERE_SIZE  (3 * PLATFORM_PATH) // FILE:LINE: #include "NAME"
+#define WHERE_SIZE  (3 * PLATFORM_PATH) // room for FILE:LINE: #include "NAME"
 
 // ---- Includes ----
 
 // An expansion in progress.
 struct expansion {
     struct shader_source *source;
-    struct glsl_reader reader; // of its text
+    struct glsl_reader reader; // scans the source's text
     int open[DEPTH_LIMIT];     // the files from the first to the one being read
     int depth;
 };
@@ -69,7 +69,8 @@ static bool include(struct expansion *e, struct shader_line from, const char *na
     return file < count || expand_file(e, file, where);
 }
 
-// Read the rest of an include: a name in quotes, and nothing but comments that end on this line.
+// Read the rest of an include: a name in quotes, followed only by comments that end on this line.
+// Returns false if it is malformed.
 static bool quoted_name(const char *c, char name[PLATFORM_PATH])
 {
     c += strspn(c, BLANKS);
@@ -108,8 +109,8 @@ static bool take_include(struct expansion *e, struct shader_line at, const char 
 // ---- The directives of Shader Toy, an extension of VS Code ----
 
 // Rewrite the rest of #iUniform float x = 0.5 in { 0.0, 1.0 } as an annotated uniform. Without a
-// range, it can change up to four times the value's magnitude, or 1, on either side of 0. Returns
-// memory that the caller frees, or NULL.
+// range, the uniform can go up to four times the value's magnitude, or up to 1 if the value is 0,
+// on either side of 0. Returns memory that the caller frees, or NULL if the directive is malformed.
 static char *annotated_uniform(const char *c)
 {
     char type[16], name[64], words[256] = "0 ", range[64] = "";
@@ -122,7 +123,7 @@ static char *annotated_uniform(const char *c)
     size_t used = *c == '=' ? 0 : 2;
     c += used == 0;
     c += strspn(c, BLANKS);
-    // A value loses its constructor and the suffix f of a float; braces become brackets.
+    // A value loses its constructor and the suffix f of a float; braces become square brackets.
     for (; strchr("\n;", *c) == NULL && used + 1 < sizeof words; c++) {
         size_t word = strcspn(c, "( \t\n;");
         bool suffix = *c == 'f' && used > 0 && strchr(".0123456789", words[used - 1]) != NULL;
@@ -190,7 +191,7 @@ static bool take_channel(struct expansion *e, struct shader_line at, int channel
 
 // ---- Lines ----
 
-// List the lines that have ended.
+// Add the lines that have ended to the list of the source's lines.
 static void end_lines(struct shader_source *source, struct shader_line *from)
 {
     for (; source->line_count < source->code.lines; from->line++) {
@@ -199,10 +200,10 @@ static void end_lines(struct shader_source *source, struct shader_line *from)
     }
 }
 
-// Obey a directive that is not meant for the driver: it becomes a comment, or a uniform. #line
-// becomes a comment too, because it would make the driver blame another line.
+// Obey a directive that is not meant for the driver: the directive becomes a comment, or a uniform.
+// #line becomes a comment, because it would make the driver blame another line.
 //   line  moves past the directive
-//   done  receives false after an error, which has been reported
+//   done  receives false if there was an error, which has been reported
 // Returns false for any other line.
 static bool take_directive(struct expansion *e, struct shader_line *from, const char **line,
                            bool *done)
@@ -237,9 +238,9 @@ static bool take_directive(struct expansion *e, struct shader_line *from, const 
     return true;
 }
 
-// Check the directive in the tokens of a line. A #version makes the first file a whole one;
-// anywhere else, the driver would refuse it with a misleading message.
-//   first  nothing but comments comes before it
+// Check the directive in the tokens of a line. A #version makes the first file a whole shader, but
+// only at its top: anywhere else, the driver would refuse the #version with a misleading message.
+//   first  only comments come before the directive
 static bool check_directive(struct expansion *e, struct shader_line at,
                             const struct glsl_token *hash, bool first)
 {
@@ -248,7 +249,7 @@ static bool check_directive(struct expansion *e, struct shader_line at,
     const struct glsl_token *end = code->item + code->count;
     if (hash + 1 >= end || !hash->live)
         return true;
-    if (glsl_is(hash + 1, "include")) // after a comment, or divided by one
+    if (glsl_is(hash + 1, "include")) // the directive follows a comment, or a comment divides it
         return take_include(e, at, "");
     if (!glsl_is(hash + 1, "version"))
         return true;

@@ -19,7 +19,7 @@ struct export
     struct camera_basis basis;
     const struct camera *camera;
     float focal_length;
-    const struct glsl *code; // of the source
+    const struct glsl *code; // the source's tokens
     FILE *text;
 };
 
@@ -54,7 +54,7 @@ static void put_value(struct export *e, const struct parameter *parameter)
 }
 
 // Write the value of an input on Shadertoy, where the camera is constant, and the picture is drawn
-// in one part, with one sample. Returns its number of components.
+// in one part, with one sample. Returns the value's number of components.
 static int put_meaning(struct export *e, const struct input *input)
 {
     static const struct {
@@ -120,7 +120,7 @@ static bool is_left_out(const char *file)
     return false;
 }
 
-// The number of times that the exported lines mention a word.
+// How often the exported lines mention a word.
 static int mentions(const struct export *e, const char *name)
 {
     int count = 0;
@@ -130,8 +130,8 @@ static int mentions(const struct export *e, const char *name)
 }
 
 // Write the constant that replaces a uniform of the course, and the rest of its line. Write nothing
-// if Shadertoy declares it, or if only its declaration mentions it. Returns false for any other
-// uniform.
+// if Shadertoy declares the uniform, or if the uniform differs from draw to draw and only its
+// declaration mentions it. Returns false for any other uniform.
 static bool put_uniform(struct export *e, const struct glsl_token *uniform)
 {
     const struct glsl_token *name = uniform + 2, *end = uniform;
@@ -159,8 +159,8 @@ static bool put_uniform(struct export *e, const struct glsl_token *uniform)
     return true;
 }
 
-// Write the shader's name without its folder. A backslash at its end would continue the comment, so
-// it becomes a question mark.
+// Write the shader's name without its folder. A backslash at the end of the comment would continue
+// it on the next line, so every backslash becomes a question mark.
 static void put_name(struct export *e, const char *before)
 {
     const char *path = e->source->files[0], *slash = strrchr(path, '/');
@@ -169,7 +169,7 @@ static void put_name(struct export *e, const char *before)
         fprintf(e->text, "%c", *c == '\\' ? '?' : *c);
 }
 
-// Write the exported lines, those of each file below its name.
+// Write the exported lines, with those of each file below the file's name.
 static void put_files(struct export *e)
 {
     const struct shader_source *source = e->source;
@@ -218,7 +218,8 @@ static void put_course(struct export *e)
 
 // ---- Other dialects ----
 
-// Set an input that Shadertoy lacks, with the type that the file declares.
+// Write the statement that sets an input that Shadertoy lacks, with the type that the file
+// declares.
 static void put_input(struct export *e, const struct shader_input *in)
 {
     static const char *const parts[] = {"", ".x", ".xy", ".xyz", ""};
@@ -261,7 +262,7 @@ static bool put_foreign(struct export *e)
     }
     if (toy)
         fprintf(e->text, "    shaderImage(toyColour, toyPixel);\n}\n");
-    else if (!old && !output.name->certain) // an #if chooses one
+    else if (!old && !output.name->certain) // an #if chooses one of several outputs
         fprintf(e->text, "    shaderMain();\n    toyColour = shaderShown();\n}\n");
     else
         fprintf(e->text, "    shaderMain();\n    toyColour = vec4(%s.rgb, 1.0);\n}\n",
@@ -298,7 +299,8 @@ char *export_shadertoy(struct shader_source *source, const struct parameters *pa
     if (source->dialect == DIALECT_COURSE && parameters->samplers.count > 0) {
         const struct pictures pictures = {source, &parameters->samplers};
         text = memory_list(parameters->samplers.count, picture_of, &pictures);
-        report("%s: reads %s: Shadertoy takes no files: without =shadertoy the text runs here",
+        report("%s: reads %s: Shadertoy takes no files: without =shadertoy, the printed text runs "
+               "here",
                source->files[0], text);
         free(text);
         return NULL;

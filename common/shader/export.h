@@ -9,11 +9,11 @@
 // Write a shader in Shadertoy's dialect.
 //   parameters    of the source; each becomes a constant
 //   camera        becomes constants too, because Shadertoy has no camera
-//   focal_length  the value of this input in other dialects than the course's
+//   focal_length  the value of the input for the focal length in dialects other than the course's
 // A course file loses the parts that only the views and the probe need, and its main becomes
 // mainImage. In a file in another dialect, the output, the parameters and the inputs that Shadertoy
-// lacks become variables, which a new mainImage sets and reads; a file that needs none of this is
-// copied.
+// lacks become variables, which a new mainImage sets and reads; a file that needs none of this gets
+// no new mainImage.
 // Returns memory that the caller frees, or NULL after reporting the error.
 char *export_shadertoy(struct shader_source *source, const struct parameters *parameters,
                        const struct camera *camera, float focal_length);

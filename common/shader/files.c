@@ -55,12 +55,12 @@ static const char *other_case(const char *name, const char *path)
     return other;
 }
 
-// True for a name that means the same on every system.
+// True for a name that means the same on every system. Otherwise why receives the reason.
 static bool is_portable(const char *name, const char *folder, char why[TEXT_FILE_WHY])
 {
     bool absolute = name[0] == '/' || (isalpha((unsigned char)name[0]) && name[1] == ':');
     if (absolute)
-        snprintf(why, TEXT_FILE_WHY, "an absolute path: give one from this file or from %s",
+        snprintf(why, TEXT_FILE_WHY, "an absolute path: give one relative to this file or to %s",
                  folder);
     else if (strchr(name, '\\') != NULL)
         snprintf(why, TEXT_FILE_WHY, "a \\ separates folders only on Windows: write /");
@@ -104,8 +104,9 @@ static char *resolve(const struct shader_source *source, int from, const char *n
     return NULL;
 }
 
-// The name of a file in messages: for the first file as it was given, otherwise relative to the
-// project or beside the first file. Returns memory that the caller frees.
+// The name of a file in messages: for the first file, the name as it was given; for any other file,
+// a name relative to the project or to the folder of the first file. Returns memory that the caller
+// frees.
 static char *name_of(const struct shader_source *source, const char *given, const char *resolved)
 {
     if (source->file_count == 0)

@@ -1,28 +1,28 @@
-// files.h - the files of a source: finds, names and lists each of them once.
+// files.h - finds and names the files of a source, and lists each of them once.
 #ifndef SHADER_FILES_H
 #define SHADER_FILES_H
 
 #include "platform.h"
 #include "shader/source.h"
 
-// Pass a path that is read or tried to the function see of the request.
+// Pass a path that is read or tried to the request's function see.
 void files_tell(const struct shader_source *source, const char *path);
 
 // The folder of a resolved path.
 void files_folder(const char *path, char folder[PLATFORM_PATH]);
 
-// Add a file, unless it is listed already; takes over name and path. Returns its index.
+// Add a file, unless it is already listed, and take over name and path. Returns the file's index.
 //   name  the name to print
 //   path  the resolved path
 int files_add(struct shader_source *source, char *name, char *path);
 
-// Find a file that another file names, and add it. It is looked for next to that file, then in
-// folders of the project.
-//   from     index of the file that names it
-//   folders  each begins with /; the last is NULL
+// Find a file that another file names, and add it. The file is looked for next to the file that
+// names it, then in folders of the project.
+//   from     index of the file that names this file
+//   folders  the folders, each beginning with /, then NULL
 //   where    the same folders in words, for messages
-//   why      receives one phrase if there is none
-// Returns its index, or -1 without reporting an error.
+//   why      receives one phrase on failure
+// Returns the file's index, or -1 without reporting an error.
 int files_find(struct shader_source *source, int from, const char *name,
                const char *const folders[], const char *where, char why[TEXT_FILE_WHY]);
 

@@ -13,7 +13,7 @@ enum { ENDS = 4 }; // tokens of kind GLSL_END after a row
 // An open #if.
 struct glsl_conditional {
     enum glsl_truth others; // whether a later part may be taken
-    bool live, certain;     // whether the text around the #if is
+    bool live, certain;     // whether the text around the #if is live, and certain
     int depth, begin;       // depth of brackets at the #if, and at the beginning of this part
 };
 
@@ -187,7 +187,7 @@ static void obey(struct glsl_reader *r)
 
 // ---- The scan ----
 
-// Move bytes from c to the text.
+// Append length bytes from c to the text, and move c past them.
 static void append(struct glsl *code, const char **c, int length)
 {
     const char *from = *c;
@@ -278,7 +278,7 @@ static void add_statement(struct glsl_reader *r, const struct glsl_token *token)
 {
     struct glsl *code = r->code;
     struct glsl_token *row = code->statement != NULL ? code->statement - 1 : NULL;
-    row = memory_row(row, code->statement_count + 1, sizeof *row); // the end before the first one
+    row = memory_row(row, code->statement_count + 1, sizeof *row); // plus the end before the first
     code->statement = row + 1;
     code->statement[code->statement_count] = *token;
     code->statement[code->statement_count].item = code->count;

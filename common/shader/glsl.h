@@ -23,21 +23,21 @@ enum glsl_kind {
 
 struct glsl_token {
     unsigned char kind; // enum glsl_kind
-    char sign;          // of a GLSL_SIGN, otherwise '\0'
+    char sign;          // the character of a GLSL_SIGN, otherwise '\0'
     bool directive : 1; // inside a directive
     bool live : 1;      // not skipped by the preprocessor
     bool certain : 1;   // live, and inside no #if that only the driver can decide
-    bool parted : 1;    // of a statement: a directive comes directly before it
-    bool macro : 1;     // of a statement: a word that the text defines as a macro
-    int begin, length;  // in the text, bytes
-    int line;           // from 0
-    int depth;          // number of brackets of any kind around it
+    bool parted : 1;    // among the statements: a directive comes directly before the token
+    bool macro : 1;     // among the statements: a word that the text defines as a macro
+    int begin, length;  // position in the text, bytes
+    int line;           // line of the text, from 0
+    int depth;          // number of brackets of any kind around the token
     union {
-        int name;    // of a word: its index among the names
-        int partner; // of a bracket in a statement: the index of its partner, or of the end
+        int name;    // of a word or a number: its index in the names
+        int partner; // of a bracket among the statements: the index of its partner, or of the end
     };
     const char *text; // of a word or a number; otherwise ""
-    int item;         // of a statement: its index among all tokens
+    int item;         // among the statements: the token's index among all tokens
 };
 
 // What is known about a condition before the driver has seen it.
@@ -46,23 +46,23 @@ enum glsl_truth { GLSL_NEVER, GLSL_ALWAYS, GLSL_PERHAPS };
 // A distinct word or number of the text.
 struct glsl_name {
     char *text;
-    int count;               // live mentions
-    int last;                // index of its last mention among the statements, or -1
+    int count;               // number of live mentions
+    int last;                // index of the last mention among the statements, or -1
     bool macro;              // a live #define names it
-    const char *word;        // of a macro that stands for one word: that word; otherwise NULL
-    enum glsl_truth defined; // at the end of the text
+    const char *word;        // the single word that a macro stands for; NULL for any other name
+    enum glsl_truth defined; // whether the name is defined as a macro at the end of the text
 };
 
 struct glsl {
     char *text; // '\0' terminated
     int length, room;
     struct glsl_token *item, *statement;
-    int count, statement_count; // without the tokens of kind GLSL_END
+    int count, statement_count; // number of tokens without those of kind GLSL_END
     struct glsl_name *name;
     int name_count;
-    int *table; // of names, by hash
+    int *table; // hash table of the names' indices
     int table_size;
-    int lines; // line ends so far
+    int lines; // number of line ends so far
     bool open; // the last comment is never closed
 };
 
@@ -73,8 +73,9 @@ struct glsl_reader {
     int open_count;
     int *bracket; // indices of the open brackets among the statements
     int depth, hash;
-    bool live, certain, parted; // of the next token
-    bool inside, word;          // it is in a directive; it is not the first token of its line
+    bool live, certain, parted; // those of the next token
+    // Whether the next token is in a directive, and whether it is not the first token of its line.
+    bool inside, word;
 };
 
 // Scan a text that may come from several files: call glsl_begin, glsl_take_line until each text is
@@ -94,44 +95,61 @@ void glsl_free(struct glsl *code);
 // True for a letter, a digit or an underscore in ASCII, whatever the locale.
 bool glsl_is_word(char c);
 
-// True if the token is, respectively: one of these signs; this word, and not a macro of the text;
-// one of these words, whose list ends in NULL; lowp, mediump or highp.
+// True if the token is one of these signs.
 bool glsl_is_sign(const struct glsl_token *token, const char *signs);
+
+// True if the token is this word, and the word is not a macro of the text.
 bool glsl_is(const struct glsl_token *token, const char *word);
+
+// True if glsl_is returns true for one of these words, whose list ends in NULL.
 bool glsl_is_any(const struct glsl_token *token, const char *const words[]);
+
+// True if the token is lowp, mediump or highp.
 bool glsl_is_precision(const struct glsl_token *token);
 
-// The number of components of a type of numbers, or of columns of a matrix; 0 for any other type.
-// The size of an array may follow the type.
+// The number of components of a scalar or vector type, or of columns of a matrix type; 0 for any
+// other type. The size of an array may follow the type.
 //   base  receives 'f', 'i', 'u' or 'b' for floats, integers, unsigned integers or truth values, or
 //         'm' for a matrix
 int glsl_type(const char *type, char *base);
 
-// True as for glsl_is, or if the token is a macro that always stands for this one word.
+// True if glsl_is returns true, or if the token is a macro that always stands for this one word.
 bool glsl_means(const struct glsl *code, const struct glsl_token *token, const char *word);
 
 // The next token that is not a comment, starting with this one.
 const struct glsl_token *glsl_code(const struct glsl_token *token);
 
-// Among the statements, respectively: the other bracket of a pair, or the end; the token after this
-// one, or, if this one opens a bracket, after its partner; the first of these signs from a token
-// on, outside any brackets that open there, or the end.
+// The other bracket of a pair among the statements, or the end.
 const struct glsl_token *glsl_partner(const struct glsl *code, const struct glsl_token *bracket);
+
+// The token after this one among the statements; if this one opens a bracket, the token after its
+// partner.
 const struct glsl_token *glsl_next(const struct glsl *code, const struct glsl_token *token);
+
+// The first of these signs among the statements, from a token on and outside any brackets that open
+// there, or the end.
 const struct glsl_token *glsl_skip(const struct glsl *code, const struct glsl_token *token,
                                    const char *signs);
 
-// The name of a word, or NULL if the text does not contain it; the number of its live mentions.
+// The name of a word, or NULL if the text does not contain the word.
 struct glsl_name *glsl_name(const struct glsl *code, const char *word);
+
+// The number of live mentions of a word.
 int glsl_mentions(const struct glsl *code, const char *word);
 
-// For a word, respectively: its first live mention in the text; its next mention among the
-// statements after a token (NULL for the first mention); its mention as the name in a function's
-// definition; its first call, which is neither a prototype nor a definition. NULL if there is none.
+// The first live mention of a word in the text; NULL if there is none.
 const struct glsl_token *glsl_find(const struct glsl *code, const char *word);
+
+// The next mention of a word among the statements after a token, or the first mention if after is
+// NULL; NULL if there is none.
 const struct glsl_token *glsl_find_next(const struct glsl *code, const struct glsl_token *after,
                                         const char *word);
+
+// The mention of a word as the name in a function's definition; NULL if there is none.
 const struct glsl_token *glsl_find_definition(const struct glsl *code, const char *word);
+
+// The first call of a function of this name; a prototype or a definition is not a call. NULL if
+// there is none.
 const struct glsl_token *glsl_find_call(const struct glsl *code, const char *word);
 
 #endif

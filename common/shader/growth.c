@@ -4,14 +4,14 @@
 
 #include "memory.h"
 
-#define DEPTH_LIMIT 64 // definitions that are used before they are defined, and nested arguments
+#define DEPTH_LIMIT 64 // most definitions used before they are defined, and most nested arguments
 
 // A definition of a name: the tokens that replace it.
 struct body {
     const struct glsl_token *from, *end;
     int name;
     int next;      // another definition of the same name; -1 if there is none
-    bool function; // not a macro
+    bool function; // a function, not a macro
 };
 
 struct growth {
@@ -19,11 +19,11 @@ struct growth {
     struct body *body;
     int bodies;
     struct size {
-        int body;      // index of its last definition; -1 if there is none
-        int uses;      // of a macro: how often it repeats one argument, at most
-        int mentions;  // in the macro being counted
-        double tokens; // that one mention expands to, without arguments; 0 if it is not known yet
-    } * of;            // of each name
+        int body;      // index of the name's last definition; -1 if there is none
+        int uses;      // of a macro: the largest number of times that it repeats one argument
+        int mentions;  // number of mentions in the macro being counted
+        double tokens; // tokens to which one mention expands, without arguments; 0 until known
+    } * of;            // one for each name
 };
 
 static void add_body(struct growth *growth, struct body body)
@@ -34,7 +34,7 @@ static void add_body(struct growth *growth, struct body body)
     growth->body[growth->bodies++] = body;
 }
 
-// Count how often a macro mentions each of its parameters. Returns the largest number.
+// Count how often a macro mentions each of its parameters. Returns the largest count.
 //   close  the bracket after the parameters
 static int most_mentions(struct growth *growth, const struct glsl_token *open,
                          const struct glsl_token *close, const struct glsl_token *end)
@@ -70,7 +70,8 @@ static void add_macro(struct growth *growth, const struct glsl_token *hash)
     add_body(growth, (struct body){.from = from, .end = end, .name = name->name});
 }
 
-// Find the definitions, in the order of the text.
+// Find the definitions: first those of macros, then those of functions, each in the order of the
+// text.
 static void add_bodies(struct growth *growth)
 {
     const struct glsl *code = growth->code;
@@ -181,7 +182,7 @@ const struct glsl_token *growth_find(const struct glsl *code)
                     ? heaviest_in(&growth, name)
                     : NULL;
     }
-    // Outside functions, a constant may be as long.
+    // A constant outside functions may exceed the limit too.
     const struct glsl_token *from = code->statement, *end = from;
     while (end->kind != GLSL_END && found == NULL) {
         while (end->kind != GLSL_END && end->sign != '{')
@@ -191,8 +192,9 @@ const struct glsl_token *growth_find(const struct glsl *code)
             found = within;
         from = end = end->kind != GLSL_END ? glsl_partner(code, end) : end;
     }
-    // Instead of a function, report the heaviest word in it, and so on. The number of steps is
-    // limited, because two functions may call each other.
+    // Instead of a function, report the heaviest word in it; if this word is again a function,
+    // report the heaviest word in that, and so on. The number of steps is limited, because two
+    // functions may call each other.
     for (int i = 0; found != NULL && i < DEPTH_LIMIT; i++) {
         within = heaviest_in(&growth, found->name);
         found = within != NULL ? within : found;

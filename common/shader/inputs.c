@@ -9,8 +9,8 @@
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
-#define SHARE                                                                                      \
-    "0.5 * harnessPosition / vec2(iResolution.x / iResolution.y, 1.0) + 0.5" // of the picture
+// The position in the picture, as fractions of the picture's sides.
+#define SHARE "0.5 * harnessPosition / vec2(iResolution.x / iResolution.y, 1.0) + 0.5"
 #define SOUND "there is no sound here"
 #define SELF  "there is no earlier picture here"
 #define MIDI  "there is no MIDI here"
@@ -26,7 +26,7 @@
 #define POSITION(name, value)     {name, "vec2", INPUT_POSITION, 0, value}
 #define SILENT(name, why)      {name, "sampler2D", INPUT_SILENT, 0, why}
 
-enum { COURSE_BEGIN = 6, TOY_END = 12, COURSE_END = 22 }; // of the rows
+enum { COURSE_BEGIN = 6, TOY_END = 12, COURSE_END = 22 }; // indices of rows
 
 static const struct input rows[] = {
     // Shadertoy
@@ -41,7 +41,7 @@ static const struct input rows[] = {
     VEC3("iCameraForward", FORWARD), FLOAT("focalLength", FOCAL), FLOAT("iOrthoView", ORTHO),
     VEC2("iPixelOffset", DRAW), VEC2("iPixelJitter", DRAW), INT("iSample", DRAW),
     INT("iSamples", DRAW),
-    // Shadertoy's old names
+    // Shadertoy's old name for iTime, and two inputs that are not offered
     FLOAT("iGlobalTime", TIME),
     {"iChannelTime", "float[4]", INPUT_REFUSED, 0, "there are no films or sounds here"},
     {"iSampleRate", "float", INPUT_REFUSED, 0, SOUND},
@@ -115,7 +115,7 @@ bool inputs_is_toys(const char *name)
     return input != NULL && (inputs_is_shadertoy(input) || input->meaning == INPUT_REFUSED);
 }
 
-// The length of the longest part that two names have in common, whether in capitals or not.
+// The length of the longest part that two names have in common, regardless of capital letters.
 static int common_length(const char *one, const char *other)
 {
     int best = 0;
@@ -133,7 +133,7 @@ static int common_length(const char *one, const char *other)
 const struct input *inputs_nearest(const char *name)
 {
     const struct input *best = inputs_find("FragCoord");
-    int length = 3; // fewer common letters are no resemblance
+    int length = 3; // names with at most three letters in common are not similar
     for (int i = COURSE_END; i < COUNT(rows); i++) {
         int common = common_length(name, rows[i].name);
         if (common > length && rows[i].meaning < INPUT_SILENT) {
@@ -218,7 +218,7 @@ static bool is_direction(const struct glsl *code, const struct glsl_token *t)
         return glsl_is_sign(glsl_next(code, t + 1), ",)");
     if (t->kind != GLSL_WORD || !glsl_is_sign(t + 1, ",)"))
         return false;
-    const struct glsl_token *v = t - 1; // or a variable of type vec3
+    const struct glsl_token *v = t - 1; // look for the declaration of a variable of type vec3
     while (v >= code->statement &&
            !(v->kind == GLSL_WORD && v->name == t->name && v[-1].kind == GLSL_WORD))
         v--;
@@ -236,7 +236,8 @@ const struct glsl_token *inputs_cube_map(const struct glsl *code)
     return t->kind != GLSL_END ? t : NULL;
 }
 
-// What the text takes a channel without a picture for: "the keyboard", "a buffer"; NULL if unknown.
+// What the text expects in a channel that has no picture, such as "the keyboard" or "a film"; NULL
+// if unknown.
 static const char *kind_of_channel(const struct shader_source *source, int channel)
 {
     static const struct {
@@ -281,7 +282,7 @@ bool inputs_refuse(const struct shader_source *source, const struct input *input
         return shader_refuse(source, line, "%s is read as %s, which is not offered here",
                              input->name, was);
     if (GL_IS_ES)
-        return shader_refuse(source, line, "%s has no picture: this page cannot read yours",
+        return shader_refuse(source, line, "%s has no picture: this page cannot read your pictures",
                              input->name);
     return shader_refuse(
         source, line,
@@ -293,8 +294,8 @@ bool inputs_refuse(const struct shader_source *source, const struct input *input
 // ---- The vertex shader ----
 
 // The vertex shader's own FragCoord, the position on the screen, is renamed to harnessPosition.
-// Each position that the source reads is computed from it, with as many components as the source
-// declares.
+// Each position that the source reads is computed from harnessPosition, with as many components as
+// the source declares.
 void inputs_vertex(const struct shader_source *source, char **before, char **behind)
 {
     static const char *const types[] = {"float", "vec2", "vec3", "vec4"};

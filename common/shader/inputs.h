@@ -10,15 +10,15 @@
 
 // The meaning of an input, with the four numbers of its value.
 enum input_meaning {
-    INPUT_SIZE,          // of the picture, pixels (width, height, 1, 0)
+    INPUT_SIZE,          // size of the picture, pixels: (width, height, 1, 0)
     INPUT_TIME,          // seconds
     INPUT_STEP,          // seconds since the last picture
     INPUT_RATE,          // pictures per second
     INPUT_FRAME,         // index of the picture
     INPUT_DATE,          // (year, month from 0, day, seconds of the day)
     INPUT_MOUSE,         // pixels, with Shadertoy's conventions for the signs
-    INPUT_POINTER,       // pixels from the bottom left
-    INPUT_POINTER_SHARE, // the same as a fraction of the picture's size
+    INPUT_POINTER,       // position of the pointer, pixels from the bottom left
+    INPUT_POINTER_SHARE, // position of the pointer, as a fraction of the picture's size
     INPUT_EYE,           // position of the camera; its axes follow
     INPUT_RIGHT,
     INPUT_UP,
@@ -29,49 +29,52 @@ enum input_meaning {
     INPUT_ZERO,                   // always 0
     INPUT_VALUES,                 // the number of meanings above
     INPUT_CHANNEL = INPUT_VALUES, // a picture of --channel
-    INPUT_CHANNEL_SIZE,           // the size of one; for iChannelResolution, of all four
-    INPUT_DRAW,                   // differs from draw to draw: set by renderer_pass.c
+    INPUT_CHANNEL_SIZE,           // the size of such a picture; for iChannelResolution, of all four
+    INPUT_DRAW,                   // differs from draw to draw; renderer_pass.c sets it
     INPUT_POSITION,               // the pixel's position, from the vertex shader
     INPUT_SILENT,                 // sound, the last picture or the like: black or 0 here
     INPUT_REFUSED                 // not offered, and every picture would be wrong without it
 };
 
 struct input {
-    const char *name, *type; // type: used if the file declares none
+    const char *name, *type; // type is used if the file declares none
     enum input_meaning meaning;
-    int channel;      // of INPUT_CHANNEL and INPUT_CHANNEL_SIZE
-    const char *text; // the value of an INPUT_POSITION in the vertex shader, a vec2; or why
-                      // INPUT_SILENT and INPUT_REFUSED are not offered
+    int channel; // index for INPUT_CHANNEL and INPUT_CHANNEL_SIZE; -1 for all four
+    // The value of an INPUT_POSITION in the vertex shader, a vec2, or the reason why an
+    // INPUT_SILENT or INPUT_REFUSED is not offered.
+    const char *text;
 };
 
 // An input that a source reads.
 struct shader_input {
     const struct input *input;
     int components; // 1 to 4
-    bool integer;   // an int
-    bool declared;  // by the source itself
+    bool integer;   // the input is an int
+    bool declared;  // the source declares the input itself
 };
 
 struct shader_source;
 
-// The input with a name, or NULL; the input at an index, from 0, or NULL after the last.
+// The input with a name, or NULL if there is none.
 const struct input *inputs_find(const char *name);
+
+// The input at an index, from 0, or NULL after the last.
 const struct input *inputs_row(int index);
 
-// True for an input of the course; for one of Shadertoy.
+// True for an input of the course, and for an input of Shadertoy, respectively.
 bool inputs_is_course(const struct input *input);
 bool inputs_is_shadertoy(const struct input *input);
 
-// True for any name that Shadertoy declares, even of an input that is not offered here.
+// True for any name that Shadertoy declares, even if the input is not offered here.
 bool inputs_is_toys(const char *name);
 
-// The input whose name is most similar, for messages; never NULL.
+// The input whose name is most similar to a name, for messages; never NULL.
 const struct input *inputs_nearest(const char *name);
 
-// The channel that is read as a cube map, or NULL.
+// The first mention of a channel that is read as a cube map, or NULL if there is none.
 const struct glsl_token *inputs_cube_map(const struct glsl *code);
 
-// Read the components of a type; true for float, int and vec2 to vec4.
+// Read the components of a type. Returns true for float, int and vec2 to vec4.
 bool inputs_type(const char *type, struct shader_input *into);
 
 // An input with its type from the table, not declared by the source.
@@ -80,7 +83,7 @@ struct shader_input inputs_default(const struct input *input);
 // True for an input that Shadertoy has with exactly the type that the source declares.
 bool inputs_is_own(const struct shader_input *in);
 
-// Add an input to those that a source reads.
+// Add an input to those that a source reads, unless it is already there.
 void inputs_add(struct shader_source *source, struct shader_input input);
 
 // True if a linked program of a source reads an input with a meaning from first to last. The linker
@@ -88,10 +91,10 @@ void inputs_add(struct shader_source *source, struct shader_input input);
 bool inputs_reads(const struct gl *gl, GLuint program, const struct shader_source *source,
                   enum input_meaning first, enum input_meaning last);
 
-// True if an input has a value here: a channel needs a picture.
+// True if an input has a value here; a channel has one only if it has a picture.
 bool inputs_offers(const struct shader_source *source, const struct input *input);
 
-// Report why an input is not offered; always false.
+// Report why an input is not offered. Always returns false.
 //   line  of the source's text, from 0
 bool inputs_refuse(const struct shader_source *source, const struct input *input, int line);
 
@@ -100,7 +103,7 @@ bool inputs_refuse(const struct shader_source *source, const struct input *input
 void inputs_vertex(const struct shader_source *source, char **before, char **behind);
 
 // Set the inputs of the program in use.
-//   location  of each input of the source
+//   location  the location of each input of the source
 //   value     four numbers for each meaning below INPUT_VALUES
 void inputs_set(const struct gl *gl, const struct shader_source *source, const GLint *location,
                 float value[INPUT_VALUES][4]);

@@ -8,23 +8,23 @@
 #include "memory.h"
 #include "shader/glsl.h"
 
-#define NAME_SIZE   128 // of a function in a link error
+#define NAME_SIZE   128 // bytes of a function's name in a link error, including the end
 #define LINE_LIMIT  160 // bytes that are shown of a source line
-#define ERROR_LIMIT 20  // errors that are shown: the first ones usually cause the others
+#define ERROR_LIMIT 20  // errors that are shown, because the first ones usually cause the others
 
 // An explanation in progress.
 struct explanation {
     const struct shader_source *source;
-    int prelude; // number of lines that shader_text puts first
+    int prelude; // number of lines of the prelude, before the source's text
     FILE *text;
-    int shown;       // the expanded line that was shown last, or 0
-    int errors;      // lines of the log so far
+    int shown;       // the line of the expanded text that was shown last, or 0
+    int errors;      // number of the log's messages so far
     bool has_errors; // the log has an error, from which its warnings would distract
 };
 
 // The content of one line of a log.
 struct message {
-    int line; // of the compiled text, or 0
+    int line; // line of the compiled text, or 0 if unknown
     bool warning;
     const char *text; // without position, "error" and "warning", but with the driver's code
 };
@@ -66,9 +66,9 @@ static struct message read_message(const char *log)
 }
 
 // A link error names a function, but no line: `foo', "float foo(vec3);" or foo( . Find the first
-// call of such a name; if there is none and the name is in quotes, it may be an input: find its
+// call of such a name. If there is none and the name is in quotes, it may be an input, so find its
 // first mention.
-// Returns the expanded line, or 0.
+// Returns the line of the expanded text, from 1, or 0 if there is none.
 static int line_of_call(const struct explanation *e, const char *log)
 {
     for (const char *c = log; *c != '\0';) {
@@ -91,8 +91,8 @@ static int line_of_call(const struct explanation *e, const char *log)
     return 0;
 }
 
-// The expanded line of a message, or 0. If a text ends too early, drivers blame a line past its
-// last one.
+// The line of the expanded text to which a message refers, from 1, or 0 if there is none. If a text
+// ends too early, drivers blame a line past its last one.
 static int expanded_line(const struct explanation *e, const struct message *message)
 {
     int line = message->line - e->prelude, count = e->source->line_count;
@@ -135,8 +135,8 @@ static void put_foreign_character(const struct explanation *e, int line)
         fprintf(e->text, "only ASCII characters are allowed here; found '%.*s': ", length, code);
 }
 
-// Drivers blame a missing semicolon on the line of the next statement: also name the line where it
-// may be missing.
+// Drivers blame a missing semicolon on the line of the next statement, so also name the line where
+// it may be missing.
 //   line  of the expanded text, from 1
 static void put_line_before(const struct explanation *e, const char *text, int line)
 {
@@ -182,7 +182,7 @@ static void explain_line(struct explanation *e, const char *log)
         put_source(e, line);
 }
 
-// True if the log has the same line earlier.
+// True if an earlier line of the log is the same.
 static bool is_repeated(const char *log, const char *line, size_t length)
 {
     for (const char *c = log; c < line; c += strcspn(c, "\n") + 1)
@@ -191,7 +191,7 @@ static bool is_repeated(const char *log, const char *line, size_t length)
     return false;
 }
 
-// Explain each line of the log, or only look for an error.
+// Explain each line of the log, or only find out whether it has an error.
 static void explain_lines(struct explanation *e, const char *log, bool only_look)
 {
     for (const char *c = log; *c != '\0';) {

@@ -9,9 +9,9 @@
 #include "number.h"
 #include "report.h"
 
-#define TEXT_SIZE 160 // a value or a range as text
+#define TEXT_SIZE 160 // bytes of a value or a range as text
 
-enum { COLUMNS = 6 }; // of a table, at most
+enum { COLUMNS = 6 }; // most columns of a table
 
 void parameters_free(struct parameters *parameters)
 {
@@ -104,7 +104,8 @@ static const char *sampler_name(const void *samplers, int i)
     return ((const struct samplers *)samplers)->item[i].name;
 }
 
-// Report an assignment to an unknown name, with the known names, and free these; always false.
+// Report an assignment to an unknown name, with the known names, and free these. Always returns
+// false.
 static bool report_unknown(const char *option, const char *assignment, const char *what, int count,
                            char *names)
 {

@@ -6,16 +6,17 @@
 //   uniform bool  biased;       // true: show 0.5 N + 0.5
 //   uniform vec3  lightColour;  // 1.0, 0.9, 0.5 in [0, 1], linear RGB: colour of the light
 //
-// A comment that begins with a value declares a parameter: one or several values, then "in [min,
-// max]" (required for numbers, not allowed for a bool), optionally "step s" or "step *s" (each key
-// press adds or multiplies), optionally ", unit", and ": meaning". Any other comment declares
-// nothing.
+// A comment that begins with a value declares a parameter. It has one or several values, then "in
+// [min, max]" (required for numbers, not allowed for a bool), optionally "step s" or "step *s"
+// (each key press adds or multiplies), optionally ", unit", and ": meaning". Any other comment
+// declares nothing.
 //
 // A comment begins with a value if its first word is a decimal number, true or false, and is
 // followed by a blank, a comma, a colon or the end of the line: "2 times the radius" does and is
 // refused, "2D position" does not. A single value applies to every component of a vector. Without
 // "step", an int changes by 1, and a float by a hundredth of its range. The declaration must be
-// alone on its line. The preprocessor is not run: a uniform between #if 0 and #endif counts.
+// alone on its line. In the course's dialect, the preprocessor is not run: a uniform between #if 0
+// and #endif counts.
 //
 // A vec2 or a vec3 can be a handle, a point that can be dragged in the picture:
 //
@@ -24,7 +25,7 @@
 //
 // The values may be in parentheses. A handle without a range gets [-10, 10]. A vec2 lies in the
 // plane z = 0 or, after "xz", in the plane y = 0. A vec3 moves parallel to the screen or, after
-// "xy" or "xz", keeps its third coordinate.
+// "xy" or "xz", keeps the coordinate that is not named.
 //
 // If one unit is "hour of the day" and another "hours per second", the panel shows the hour.
 //
@@ -41,7 +42,7 @@
 // of slices; and a meaning.
 //
 // In the course's dialect, every sampler needs such a comment, unless the preprocessor certainly
-// skips it. In the other dialects, samplers are the channels.
+// skips the sampler. In the other dialects, samplers are the channels.
 #ifndef PARAMETER_H
 #define PARAMETER_H
 
@@ -51,14 +52,14 @@
 
 #include "shader/source.h"
 
-#define SAMPLER_SLICES 2048 // at most
+#define SAMPLER_SLICES 2048 // most slices of a volume
 
 struct sampler {
     char name[64];
-    int file;          // the picture, among the files of the source
-    int line;          // of the source's text that declares it, from 0; -1 for a channel
-    bool srgb, repeat; // otherwise linear, clamp
-    int slices;        // of a volume; 0 for a picture
+    int file;          // index of the picture among the files of the source
+    int line;          // line of the text that declares the sampler, from 0; -1 for a channel
+    bool srgb, repeat; // otherwise linear, and clamp
+    int slices;        // number of slices of a volume; 0 for a picture
     char meaning[200];
 };
 
@@ -76,13 +77,13 @@ struct parameter {
     char name[64];
     enum parameter_type type;
     int components;          // 1 to 4: float, vec2, vec3, vec4; int and bool have 1
-    double value[4];         // the present value; a bool is 0 or 1
+    double value[4];         // the current value; a bool is 0 or 1
     double initial[4];       // the value in the shader's comment
-    double minimum, maximum; // of each component; 0 and 1 for a bool
-    double step;             // of one key press: a summand, or a factor if multiplies
+    double minimum, maximum; // range of each component; 0 and 1 for a bool
+    double step;             // change per key press: a summand, or a factor if multiplies is set
     bool multiplies;
     enum parameter_handle handle;
-    char unit[48]; // "" for none
+    char unit[48]; // "" if there is none
     char meaning[200];
 };
 
@@ -95,11 +96,11 @@ struct parameters {
 // Read the parameters and the samplers of a source, in the order of the text. In dialects other
 // than the course's, a malformed annotation declares nothing, and the samplers are the pictures of
 // the request's channels and those that the text names.
-// Returns false after reporting the error with file and line. For a comment that begins with a
-// value: no range, a value outside it, a wrong number of values, an unknown type, no meaning. For a
-// sampler: no such comment, a malformed one, a type other than sampler2D and sampler3D, a
-// declaration in a structure or a macro, a missing file. For both: a name that is declared twice.
-// Free with parameters_free.
+// Returns false after reporting the error with file and line. Errors of a comment that begins with
+// a value are: no range, a value outside the range, a wrong number of values, an unknown type, no
+// meaning. Errors of a sampler are: no comment as above, a malformed comment, a type other than
+// sampler2D and sampler3D, a declaration in a structure or a macro, a missing file. A name that is
+// declared twice is an error of either. Free with parameters_free.
 bool parameters_read(struct parameters *parameters, struct shader_source *source);
 
 // True if the declaration of a uniform has a well-formed comment that makes it a parameter.
@@ -108,35 +109,37 @@ bool parameter_declared(const struct shader_source *source, const struct glsl_to
 
 void parameters_free(struct parameters *parameters);
 
-// The parameter with a name, or NULL.
+// The parameter with a name, or NULL if there is none.
 struct parameter *parameters_find(const struct parameters *parameters, const char *name);
 
 // Carry out NAME=VALUE. A vector takes comma-separated values; a bool takes true, false, 1 or 0.
-// Returns false after reporting the error: unknown name (with the known ones), not a number, NaN,
-// wrong count, out of range (with the range).
+// Returns false after reporting the error: the name is unknown (the message lists the known names),
+// a value is not a finite number, the number of values is wrong, or a value is out of range (the
+// message gives the range).
 bool parameters_assign(const struct parameters *parameters, const char *assignment);
 
-// Keep values over a reload: copy each old value to the new parameter of the same name, type and
+// Keep values across a reload: copy each old value to the new parameter of the same name, type and
 // number of components, clamped to the new range. A component whose value has changed in the file
 // takes the new value, because its author wants to see it.
 void parameters_keep(const struct parameters *new_ones, const struct parameters *old_ones);
 
-// Change every component by a number of key presses, stopping at the range; a bool toggles.
+// Change every component by a number of key presses, stopping at the ends of the range; a bool
+// toggles.
 void parameter_change(struct parameter *parameter, int presses);
 
 // The position of a component in its range, 0 to 1; on a logarithmic scale if the step multiplies.
 //   part  0 to components - 1
 double parameter_place(const struct parameter *parameter, int part);
 
-// The inverse: set a component from a position, which is clamped to [0, 1]. The value is rounded to
-// about a thousandth of the range, or to three significant digits if the step multiplies; an int is
-// rounded to a whole number, and a bool to 0 or 1.
+// The inverse of parameter_place: set a component from a position, which is clamped to [0, 1]. The
+// value is rounded to about a thousandth of the range, or to three significant digits if the step
+// multiplies; an int is rounded to a whole number, and a bool to 0 or 1.
 void parameter_put(struct parameter *parameter, int part, double place);
 
 // True for a parameter with three components whose unit is "linear RGB".
 bool parameter_is_colour(const struct parameter *parameter);
 
-// Reset to the value in the shader's comment.
+// Reset a parameter to the value in the shader's comment.
 void parameter_reset(struct parameter *parameter);
 
 // The value as it would be typed after "NAME=".
@@ -145,21 +148,21 @@ void parameter_value_text(const struct parameter *parameter, char *text, size_t 
 // The range as --list shows it: "[0, 4]", or "true or false".
 void parameter_range_text(const struct parameter *parameter, char *text, size_t size);
 
-// The table of --list: name, value, range, unit, meaning.
+// Print the table of --list, with name, value, range, unit and meaning.
 void parameters_print(const struct parameters *parameters, FILE *file);
 
 // True if each picture of the source's request has a sampler that reads it. Returns false after
-// reporting the error: a NAME of NAME=FILE that no sampler has, with the names of all samplers; a
-// channel that the shader does not mention; --texture in another dialect, or --channel in the
-// course's.
+// reporting the error: no sampler has the NAME of a NAME=FILE (the message lists the names of all
+// samplers), the shader does not mention a channel, --texture is used in another dialect, or
+// --channel in the course's.
 bool samplers_fit(const struct samplers *samplers, const struct shader_source *source);
 
-// Report a problem with a sampler's picture; always false.
+// Report a problem with a sampler's picture. Always returns false.
 bool sampler_refuse(const struct shader_source *source, const struct sampler *sampler,
                     const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-// The table of --list: name, file, how it is read, meaning. Prints nothing if there are no
-// samplers.
+// Print the table of --list, with name, file, colour, edge, slices and meaning. Prints nothing if
+// there are no samplers.
 void samplers_print(const struct samplers *samplers, const struct shader_source *source,
                     FILE *file);
 

@@ -17,7 +17,7 @@ bool passes_are(const char *text)
     return *c == '{' || (*c == '[' && *skip_blanks(c + 1) == '{');
 }
 
-// The closing quote of a string.
+// The closing quote of a string, or the end of the text.
 static const char *end_of_string(const char *c)
 {
     for (c++; *c != '\0' && *c != '"'; c++)
@@ -48,7 +48,7 @@ static const char *next_value(const char *c)
     return *c == ',' ? skip_blanks(c + 1) : NULL;
 }
 
-// The first value of an array or an object, or NULL.
+// The first value of an array or an object, or NULL if there is none.
 static const char *first_value(const char *c)
 {
     if (c == NULL || (*c != '[' && *c != '{'))
@@ -57,7 +57,7 @@ static const char *first_value(const char *c)
     return *c == ']' || *c == '}' || *c == '\0' ? NULL : c;
 }
 
-// The value of an object's member, or NULL.
+// The value of an object's member, or NULL if there is none.
 static const char *member(const char *object, const char *name)
 {
     size_t length = strlen(name);

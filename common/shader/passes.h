@@ -9,7 +9,7 @@ struct passes {
     char was[4][24];      // what the image pass reads in each channel: "texture", "buffer", ...
 };
 
-// True for a text that is JSON, as a shader never is.
+// True for a text that is JSON, which a shader never is.
 bool passes_are(const char *text);
 
 // Read the passes. Returns NULL, or one phrase that says why there is no image pass. Free with

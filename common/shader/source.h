@@ -9,9 +9,9 @@
 
 // The three dialects that --shader accepts.
 enum shader_dialect {
-    DIALECT_COURSE,    // the course's own: no #version, three functions and includes
+    DIALECT_COURSE,    // the course's own dialect: no #version, three functions and includes
     DIALECT_SHADERTOY, // defines mainImage and no main
-    DIALECT_WHOLE      // its own main, and usually a #version
+    DIALECT_WHOLE      // has its own main, and usually a #version
 };
 
 struct shader_input;
@@ -22,7 +22,7 @@ struct shader_line {
     int line; // from 1
 };
 
-// Options for reading a shader. Everything that it points to must outlive the source.
+// Options for reading a shader. Everything that this struct points to must outlive the source.
 struct shader_request {
     // Called with the resolved path of each file before it is read, so that a window watches
     // exactly the files that were read; for a missing file, called with each path that was tried.
@@ -31,23 +31,25 @@ struct shader_request {
     void *to;                    // passed to see
     const char *const *textures; // NAME=FILE: other pictures for samplers in the course's dialect
     int texture_count;
-    const char *const *channels; // four files for Shadertoy's iChannel0 to 3; NULL for none
+    // Four files for Shadertoy's iChannel0 to 3, each NULL if it is not given; NULL if none is
+    // given.
+    const char *const *channels;
 };
 
 struct shader_source {
     enum shader_dialect dialect; // set by dialect.c, like prelude, body, inputs and unset
-    int version;                 // the text's own #version; 0 for none
-    char *text;                  // code.text: '\n' ends each line; '\0' terminated
+    int version;                 // the number in the text's #version; 0 if there is none
+    char *text;                  // the same as code.text; '\n' ends each line, and '\0' the text
     struct glsl code;            // the text as tokens
     struct shader_line *lines;   // the origin of each line of text
     int line_count;
     char *prelude, *body;        // for the driver; NULL in the course's dialect
-    struct shader_input *inputs; // the inputs that it reads
+    struct shader_input *inputs; // the inputs that the text reads
     int input_count;
     char *unset;     // one line about the first uniform or block that nothing sets, or NULL
     char was[4][24]; // what the author's tool had in each channel, in Shadertoy's words
-    int channel[4];  // the files that the text itself names for its channels; 0 for none
-    char **files;    // the names to print, with '?' for control characters; files[0]: the shader
+    int channel[4];  // indices of the files that the text names for its channels; 0 for no file
+    char **files;    // the names to print, with '?' for control characters; files[0] is the shader
     char **paths;    // the resolved paths of these files, to watch for changes
     int file_count;
     char *root, *own; // the project's folder and that of the first file, resolved
@@ -55,39 +57,39 @@ struct shader_source {
 };
 
 // Read a shader and expand its includes.
-//   path     the file, or an export from Shadertoy, whose passes are read; a byte-order mark and
-//            carriage returns are dropped
+//   path     the file, or an export from Shadertoy, whose passes are read; the file is read as
+//            text_file_read describes
 //   root     the project's folder; an include is looked for next to the including file, then in
 //            root/shaders, then in root/chapters, but never outside root and path's own folder;
 //            each file is included once, and the line of an include stays as a comment
-//   request  or NULL
+//   request  the options; may be NULL
 // Two directives of Shader Toy, an extension of VS Code, are understood: #iUniform becomes an
-// annotated uniform, and #iChannel0 names a picture next to its file, or tells what the channel
-// was.
-// Returns false after reporting the error in one line with file and line: a file that is missing,
-// unreadable, empty, binary (has a zero byte) or larger than 1 MiB, or than 8 MiB with its
-// includes; an include that is malformed, is missing, includes itself or leaves these folders; a
-// missing picture; a #version that does not come first; a comment that is never closed. Free with
-// shader_free.
+// annotated uniform, and #iChannel0 names a picture next to its file, or tells what the author's
+// tool had in the channel.
+// Returns false after reporting the error in one line with file and line. Errors are: a file that
+// is missing, unreadable, empty, binary (has a zero byte) or larger than 1 MiB, or than 8 MiB with
+// its includes; an include that is malformed, is missing, includes itself or leaves these folders;
+// a missing picture; a #version that does not come first; and a comment that is never closed. Free
+// with shader_free.
 bool shader_expand(struct shader_source *source, const char *path, const char *root,
                    const struct shader_request *request);
 
 // Find a picture that a shader names, and add it to the source's files.
-//   from  index of the file that names it: the picture is looked for next to that file, then in
+//   from  index of the file that names the picture, which is looked for next to that file, then in
 //         root/shaders/textures, but never outside root and the first file's own folder
-//   why   receives one phrase if there is none
-// Returns its index, or -1 without reporting an error.
+//   why   receives one phrase on failure
+// Returns the picture's index among the files, or -1 without reporting an error.
 int shader_find_texture(struct shader_source *source, int from, const char *name,
                         char why[TEXT_FILE_WHY]);
 
-// As shader_find_texture, for a picture on the command line, which may be anywhere.
+// Do the same for a picture that is named on the command line, which may be in any folder.
 int shader_take_texture(struct shader_source *source, const char *path, char why[TEXT_FILE_WHY]);
 
 // Free a source. A source of zeros is allowed.
 void shader_free(struct shader_source *source);
 
-// Report an error in a line of the expanded text, from 0, with the author's file and line; always
-// false.
+// Report an error in a line of the expanded text, from 0, with the author's file and line. Always
+// returns false.
 bool shader_refuse(const struct shader_source *source, int line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -9,7 +9,8 @@
 #include "shader/inputs.h"
 #include "shader/translation.h"
 
-// toy_behind follows the author's text, whose macros also apply to it, so it has few words.
+// toy_behind follows the author's text, whose macros also apply to it, so toy_behind uses few
+// words.
 static const char toy_front[] =
     "out vec4 harnessColour;\n"
     "vec4 harnessOwn = vec4(0.0);\n"
@@ -20,13 +21,13 @@ static const char toy_behind[] =
     "#undef void\n#undef main\n#undef mainImage\n"
     "void main() { harnessBegin(); mainImage(harnessOwn, harnessPixel); harnessEnd(); }\n";
 
-// Lookups in a sampler1D, which WebGL lacks: it becomes a sampler2D.
+// Lookups in a sampler1D. WebGL lacks this type, so it becomes a sampler2D.
 static const char line_lookups[] =
     "vec4 harnessLine(sampler2D line, float x) { return texture(line, vec2(x, 0.5)); }\n"
     "vec4 harnessLine(sampler2D line, float x, float y) { return harnessLine(line, x); }\n"
     "vec4 harnessLine(sampler2D line, int x, int y) { return texelFetch(line, ivec2(x, 0), y); }\n";
 
-// True if mainImage is declared as Shadertoy declares it.
+// True if mainImage is declared as Shadertoy declares it, or not at all.
 static bool is_plain_image(const struct glsl *code)
 {
     const struct glsl_token *image = glsl_find_definition(code, "mainImage");
@@ -35,7 +36,7 @@ static bool is_plain_image(const struct glsl *code)
                              image[5].sign == ',' && glsl_is(t + glsl_is(t, "in"), "vec2"));
 }
 
-// True if Shadertoy needs a mainImage that calls the file's own.
+// True if Shadertoy needs a new mainImage that calls the file's main or mainImage.
 static bool must_wrap(const struct translation *t)
 {
     bool wraps =

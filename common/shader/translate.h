@@ -4,7 +4,7 @@
 // Declarations outside functions are checked and rewritten. An input becomes a uniform or, if it is
 // a position, an input from the vertex shader; a uniform with a value that is not a parameter
 // becomes a variable; locations and interpolation are removed. gl_FragColor, texture2D, varying and
-// other words of old versions get their present names. Precisions become highp, because WebGL links
+// other words of old versions get their current names. Precisions become highp, because WebGL links
 // an input only if its precision is that of the vertex shader. gl_FragCoord becomes the position in
 // the whole picture, because the renderer draws parts and samples. Lines keep their numbers.
 #ifndef SHADER_TRANSLATE_H
@@ -19,10 +19,10 @@ enum translate_target { TRANSLATE_DRIVER, TRANSLATE_SHADERTOY };
 //   prelude  receives the lines before the text; for Shadertoy, the inputs that it lacks, or NULL
 //            if the file's own mainImage can be called
 //   body     receives the text; the caller frees both
-// Returns false after reporting the error with file and line: an unknown input; an input or a
-// uniform of a type that cannot be set; a texture that is read but has no picture; an output that
-// is not a colour, or several of which none is at location 0; for Shadertoy, anything else that
-// WebGL lacks.
+// Returns false after reporting the error with file and line. Errors are: an unknown input; an
+// input or a uniform of a type that cannot be set; a texture that is read but has no picture; an
+// output that is not a colour, or several outputs of which none is at location 0; and, for
+// Shadertoy, anything else that WebGL lacks.
 bool translate(struct shader_source *source, enum translate_target target, char **prelude,
                char **body);
 
@@ -31,7 +31,7 @@ bool translate(struct shader_source *source, enum translate_target target, char 
 // not too many. A declaration stays as it is if an #if divides it, or if its type, name or size is
 // a macro. The outputs of a whole file get zeros at the beginning of main, unless the text mentions
 // main more than once.
-//   old  the output is harnessColour
+//   old  the output is harnessColour, which replaces gl_FragColor or gl_FragData
 void translate_zeros(const struct glsl *code, struct edits *edits, bool old);
 
 // Give integers beside floats a decimal point, because desktop GLSL converts them and WebGL does

@@ -25,7 +25,8 @@ static bool store(struct translation *t, struct declared *at, const char *storag
     return true;
 }
 
-// Leave a name out of the text for Shadertoy, which declares it itself or does not need it.
+// Leave a name out of the text for Shadertoy, which declares the name itself or does not need it. A
+// name that cannot be left out gets the prefix shader_.
 static bool leave_out(struct translation *t, struct declared *at)
 {
     if (at->name == at->first && at->end->sign == ';') {
@@ -68,7 +69,7 @@ static bool take_sampler(struct translation *t, struct declared *at, const struc
     return true;
 }
 
-// Take an image that a shader writes, which the desktop's driver offers and WebGL does not.
+// Accept an image to which a shader writes. Desktop drivers offer such images; WebGL does not.
 static bool take_image(struct translation *t, struct declared *at)
 {
     if (!t->web)
@@ -199,8 +200,8 @@ static bool open_block(struct translation *t, const struct declared *at)
     return true;
 }
 
-// Take an output for Shadertoy. If an #if chooses one of several, each is read by a function, all
-// of which have the same name.
+// Take an output for Shadertoy. If an #if chooses one of several outputs, a function is added for
+// each of them, always with the same name.
 static void export_output(struct translation *t, struct declared *at, bool certain)
 {
     const struct glsl_token *end = glsl_skip(t->code, at->end, ";");

@@ -13,19 +13,19 @@ struct floats {
     bool *takes; // for each name: a function that takes an int or a vector of ints
 };
 
-// True for a type whose base is one of these, as glsl_type gives it.
+// True for a type whose base, as glsl_type returns it, is one of these.
 static bool is_type(const struct glsl_token *t, const char *bases)
 {
     char base;
     return !t->macro && glsl_type(t->text, &base) > 0 && strchr(bases, base) != NULL;
 }
 
-// Find out which names are integers.
+// Find out which names are integers, and which functions take integers.
 static void learn(struct floats *f)
 {
     static const char *const functions[] = {"texelFetch", "textureSize", "layout", NULL};
     const struct glsl *code = f->code;
-    const struct glsl_token *function = NULL; // the last one before t, whose parameters may be next
+    const struct glsl_token *function = NULL; // last function before t; its parameters may follow
     for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++) {
         if (t->depth == 0 && t->kind == GLSL_WORD && t[1].sign == '(')
             function = t;
@@ -45,7 +45,7 @@ static void learn(struct floats *f)
     }
 }
 
-// Give each integer from one token to another a decimal point.
+// Give each integer from one token up to another a decimal point.
 static void add_points(struct floats *f, const struct glsl_token *from, const struct glsl_token *to)
 {
     for (const struct glsl_token *t = from; t < to; t = glsl_next(f->code, t)) {
@@ -64,10 +64,10 @@ static bool is_whole_statement(const struct floats *f, const struct glsl_token *
 }
 
 // Convert the text between two tokens. Returns true if a part of it has an integer type.
-//   whole    all of it has an integer type
+//   whole    all of the text has an integer type
 //   splits   a comma separates expressions
-//   states   it consists of statements
-//   returns  the function around it returns an integer
+//   states   the text consists of statements
+//   returns  the function around the text returns an integer
 static bool convert(struct floats *f, const struct glsl_token *from, const struct glsl_token *to,
                     bool whole, bool splits, bool states, bool returns)
 {

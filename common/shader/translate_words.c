@@ -7,8 +7,8 @@
 #include "memory.h"
 #include "shader/inputs.h"
 
-// The targets, and two further conditions: WRAPPED, if Shadertoy gets a mainImage that calls the
-// file's own; OLD, if the output is gl_FragColor.
+// The targets, and two further conditions. WRAPPED: Shadertoy gets a new mainImage that calls the
+// file's main or mainImage. OLD: the output is gl_FragColor or gl_FragData.
 enum { TO_DRIVER = 1, TO_TOY = 2, TO_WEB = 4, WRAPPED = 8, OLD = 16 };
 
 static const struct {
@@ -34,7 +34,7 @@ static const struct {
                {"dmat3", "mat3", TO_WEB},
                {"dmat4", "mat4", TO_WEB}};
 
-// Words that WebGL defines or reserves, but that another version leaves to the author.
+// Words that WebGL defines or reserves, but that another version of GLSL leaves to the author.
 static const char *const reserved[] = {
     "texture", "sample",    "patch", "resource", "round",       "roundEven",   "trunc",
     "sinh",    "cosh",      "tanh",  "asinh",    "acosh",       "atanh",       "inverse",
@@ -46,8 +46,8 @@ static bool is_targeted(const struct translation *t, int when)
     return (when & target) != 0 && (t->wraps || !(when & WRAPPED)) && (t->old || !(when & OLD));
 }
 
-// The present name of a texture function of an old version, such as textureLod for texture2DLodEXT;
-// or NULL. The caller frees it.
+// The current name of a texture function of an old version, such as textureLod for texture2DLodEXT,
+// or NULL for any other word. The caller frees the name.
 static char *new_texture(const char *word)
 {
     static const char *const kinds[] = {"texture1D", "texture2DRect", "texture2D", "texture3D",
@@ -72,7 +72,7 @@ static bool is_line_lookup(const struct translation *t, const struct glsl_token 
     return bracket->sign == '(' && name->kind == GLSL_WORD && (t->mark[name->name] & MARK_LINE);
 }
 
-// The name of a word in the target, or NULL if it stays. The caller frees it.
+// The name of a word in the target, or NULL if the word stays. The caller frees the name.
 static char *new_name(const struct translation *t, const struct glsl_token *token)
 {
     const char *word = token->text;
@@ -109,7 +109,7 @@ static void take_word(struct translation *t, const struct glsl_token *token)
         edits_cut(&t->edits, token + 1, token + 3);
     if (macro || !t->toy || t->exported || !token->live || !glsl_is(token, "mainImage"))
         return;
-    const struct glsl_token *word = glsl_code(token + 1); // inout: the colour begins as zero
+    const struct glsl_token *word = glsl_code(token + 1); // becomes inout: the colour begins at 0
     word = word->sign == '(' ? glsl_code(word + 1) : word;
     if (glsl_is(word, "out"))
         edits_add(&t->edits, word->begin, 0, "in");
@@ -134,8 +134,8 @@ static void mark_own(struct translation *t, const char *word)
         t->mark[name - t->code->name] |= MARK_OWN;
 }
 
-// Mark the names that mean something else in WebGL or in Shadertoy: the text uses them for a global
-// variable, a function, or an input of another type.
+// Mark the names that the text uses for a global variable, a function, or an input of another type,
+// although they mean something else in WebGL or in Shadertoy.
 static void mark_names(struct translation *t)
 {
     const struct input *input;
@@ -229,7 +229,7 @@ static void learn_macros(const struct translation *t, bool waits[])
     }
 }
 
-// True if a value must wait for main.
+// True if a value can only be set in main.
 static bool must_wait(const struct translation *t, const struct declared *at, const bool waits[])
 {
     const struct glsl_token *v = at->value + 1;

@@ -6,14 +6,14 @@
 
 #include "memory.h"
 
-#define SIZE_LIMIT (256 * 1024) // inserted bytes; beyond it, arrays and structures get no zeros
+#define SIZE_LIMIT (256 * 1024) // inserted bytes; above this, arrays and structures get no zeros
 
 enum { VALUE_SIZE = 4096 }; // bytes of a value, including its end
 
 struct zeros {
     const struct glsl *code;
     struct edits *edits;
-    char **structure; // for each name: the zero of the structure with that name, or NULL
+    char **structure; // for each name: the zero of the structure with that name; may be NULL
 };
 
 static bool is_plain(const struct glsl_token *t)
@@ -21,7 +21,7 @@ static bool is_plain(const struct glsl_token *t)
     return t->kind == GLSL_WORD && !t->macro;
 }
 
-// Write the zero of a type: "float(0)", or that of a structure, or, for an array,
+// Write the zero of a type: "float(0)", or the zero of a structure, or, for an array,
 // "float[2](float(0),float(0))". Returns false if there is none.
 //   size  the token after the name, which may be a bracket
 static bool zero_of(const struct zeros *all, const struct glsl_token *type,
@@ -50,7 +50,8 @@ static bool zero_of(const struct zeros *all, const struct glsl_token *type,
     return true;
 }
 
-// Find the zero of a structure. It has one only if its members consist of types, names and sizes.
+// Find the zero of a structure. A structure has a zero only if its members consist of types, names
+// and sizes.
 static void learn(struct zeros *all, const struct glsl_token *name)
 {
     const struct glsl *code = all->code;
@@ -70,7 +71,7 @@ static void learn(struct zeros *all, const struct glsl_token *name)
                      : 0;
         type = after->sign == ',' ? type : NULL;
     }
-    free(all->structure[name->name]); // of two structures with the same name, neither has one
+    free(all->structure[name->name]); // of two structures with one name, neither gets a zero
     all->structure[name->name] = done ? memory_text("%s)", value) : NULL;
 }
 

@@ -1,4 +1,4 @@
-// translation.h - a translation in progress, which the parts of translate.c share.
+// translation.h - a translation in progress, which translate.c and its parts share.
 #ifndef SHADER_TRANSLATION_H
 #define SHADER_TRANSLATION_H
 
@@ -10,8 +10,8 @@
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
 enum {
-    MARK_OWN = 1, // the author's meaning of the name is not the target's: it gets own_
-    MARK_LINE = 2 // a sampler1D
+    MARK_OWN = 1, // the target gives this name another meaning: it gets the prefix own_
+    MARK_LINE = 2 // the name of a sampler1D
 };
 
 struct translation {
@@ -20,11 +20,11 @@ struct translation {
     struct edits edits;
     bool toy;            // the source is in Shadertoy's dialect
     bool exported;       // the target is Shadertoy
-    bool web;            // the target is WebGL, as Shadertoy is
+    bool web;            // the target is WebGL, which includes Shadertoy
     bool old;            // gl_FragColor or gl_FragData is the output
-    bool wraps;          // Shadertoy gets a mainImage that calls the file's own
+    bool wraps;          // Shadertoy gets a new mainImage that calls the file's main or mainImage
     bool blocks;         // there is a block of inputs
-    unsigned char *mark; // for each name: MARK_OWN, MARK_LINE
+    unsigned char *mark; // for each name: the sum of MARK_OWN and MARK_LINE, if they apply
     FILE *inputs;        // declarations of the inputs that the text reads but does not declare
     FILE *begin;         // statements at the beginning of main
     FILE *extensions;

@@ -113,7 +113,7 @@ TEST(sizes_have_their_limits)
     uint16_t *sample = calloc(16385 * 1025, sizeof *sample);
     assert_non_null(sample);
     png_file("long.png", &kind, 16385, 1, sample);
-    assert_refused("long.png", "longer than 16384 pixels: make it smaller");
+    assert_refused("long.png", "longer than 16384 pixels: make the picture smaller");
     png_file("large.png", &kind, 16384, 1025, sample);
     assert_refused("large.png", "too many pixels");
     // A width of 0 with a correct checksum, written here because libpng refuses to.

@@ -73,7 +73,7 @@ TEST(test_handles)
     parameter_number(p[0].value[1], 0.1);
     parameter_number(p[1].value[2], -3.0);
     parameters_free(&read);
-    assert_refused("uniform vec2 a; // (1, 2 handle: a", "the values are not closed");
+    assert_refused("uniform vec2 a; // (1, 2 handle: a", "the values need a closing parenthesis");
     assert_refused("uniform float a; // 1 handle: a", "only a vec2 or a vec3 can be a handle");
     assert_refused("uniform vec4 a; // 1 in [0, 2], handle: a", "only a vec2 or a vec3");
     assert_refused("uniform vec2 a; // (11, 2) handle: a", "outside its range");
