@@ -65,7 +65,7 @@ endif
 
 comma := ,
 found = $(shell $(PKG_CONFIG) --exists $(1) 2>/dev/null && echo yes)
-# Macs and Windows have no EGL or OSMesa of their own: a library of this name there is something else.
+# Macs and Windows have no EGL or OSMesa of their own: a library of such a name there is something else.
 BACKENDS := $(if $(call found,glfw3),glfw) $(if $(MAC)$(EXE),,$(if $(call found,egl),egl) \
             $(if $(call found,osmesa),osmesa))
 LIBRARIES := libpng $(if $(filter glfw,$(BACKENDS)),glfw3) $(if $(filter egl,$(BACKENDS)),egl)
@@ -83,7 +83,7 @@ HAVE := -DHAVE_GLFW
 HEADERS := -isystem build/web/objects/include
 CFLAGS = -Oz -flto -DNDEBUG
 endif
-# Windows: the same stack size as elsewhere, no libraries of the compiler beside the program, and a reproducible build.
+# On Windows, link with the same stack size as elsewhere, without the compiler's DLLs, and reproducibly.
 LINK := $(shell $(PKG_CONFIG) --libs $(LIBRARIES) 2>/dev/null) $(if $(EXE),-municode -static-libgcc -lgdi32 -lshell32 -lwinmm \
         -Wl$(comma)--stack$(comma)8388608 -Wl$(comma)--no-insert-timestamp $(if $(WINDOWS),-s),-ldl -lm -pthread)
 CMOCKA := $(shell $(PKG_CONFIG) --libs cmocka 2>/dev/null)
@@ -97,7 +97,7 @@ WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(if $(CI),-Werror)
 # On Windows the compiler checks format strings against the old C library, which is not the one that is linked;
 # and isfinite and similar functions are macros that convert their arguments.
 WARNINGS += $(if $(EXE),-Wno-format -Wno-float-conversion)
-# No fused multiply-add, so that the programs of the textures compute the same numbers everywhere.
+# Fused multiply-add is disabled, so that the programs of the textures compute the same numbers everywhere.
 LANGUAGE = -std=c11 -ffp-contract=off -D_XOPEN_SOURCE=700 -Icommon -Ishaders -Itests
 LANGUAGE += $(if $(MAC),-D_DARWIN_C_SOURCE) $(if $(EXE),-D_WIN32_WINNT=0x0A00)
 COMPILE = $(LANGUAGE) $(WARNINGS) $(HAVE) $(HEADERS) $(INSTRUMENT) $(CFLAGS)
@@ -140,10 +140,10 @@ endif
 SOURCES := $(sort $(shell find common -name '*.c'))
 ABSENT := $(foreach name,glfw egl osmesa,$(if $(filter $(name),$(BACKENDS)),,common/context/$(name).c))
 ABSENT += $(if $(filter glfw,$(BACKENDS)),common/window/none.c,$(filter-out %/none.c %/watch.c,$(filter common/window/%,$(SOURCES))))
-# The sources for this system.
+# Of the platform's sources, only those for this system are built.
 PLATFORM := $(patsubst common/%.c,%,$(filter common/platform/$(if $(EXE),windows,posix)%,$(SOURCES)))
 ABSENT += $(filter-out $(PLATFORM:%=common/%.c),$(filter common/platform/%,$(SOURCES)))
-# For a browser, common/browser/ replaces some of them.
+# For a browser, common/browser/ replaces some sources.
 BROWSER := $(filter common/browser/%,$(SOURCES))
 ABSENT += $(if $(WEB),common/window/full_screen.c)
 ABSENT += $(if $(WEB),$(patsubst %,common/%.c,context/egl context/osmesa context/guard picture/image_read picture/image_write platform/posix_process window/none),$(BROWSER))
@@ -163,16 +163,17 @@ FIRST_STEPS := $(FIRST_STEPS:chapters/%.c=$(BUILD)/%)
 FIGURES := $(patsubst docs/figures/%.c,%,$(filter-out %/svg.c,$(sort $(wildcard docs/figures/*.c))))
 # A source that has a header draws nothing: it contains functions for the others.
 PAINT := $(patsubst %.h,$(BUILD)/%.o,$(wildcard shaders/textures/*.h))
-# The same as an archive, from which the linker takes what a chapter's program uses; a browser has no libpng.
+# These sources as an archive, from which the linker takes what a chapter's program uses; a browser has no libpng.
 PAINTED := $(BUILD)/shaders/textures/painted.a
 TEXTURES := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard shaders/textures/*.c)))
 TEXTURES := $(filter-out $(PAINT:%.o=%),$(TEXTURES))
 TESTS := $(sort $(wildcard $(addprefix tests/,$(addsuffix /*.c,unit shaders pictures window command course))))
-# Tests that need POSIX processes and limits cannot be built for Windows, nor a window that nobody sees without EGL.
+# Tests that need POSIX processes and limits cannot be built for Windows. Tests with a hidden window need EGL, and all
+# tests of the window and its keys need GLFW.
 TESTS := $(filter-out $(if $(EXE),$(shell grep -l '<sys/\|<glob' $(TESTS))),$(TESTS))
 TESTS := $(filter-out $(if $(filter egl,$(BACKENDS)),,$(shell grep -l 'lib/session' $(TESTS))),$(TESTS))
 TESTS := $(filter-out $(if $(filter glfw,$(BACKENDS)),,$(shell grep -l 'lib/session\|lib/user\|window/keys' $(TESTS))),$(TESTS))
-# The sanitizers see only C, so tests of shaders and pictures, and what draws figures, show nothing more under them.
+# The sanitizers see only C, so tests of shaders and pictures, and programs of figures, show nothing more under them.
 TESTS := $(if $(SANITIZE),$(filter-out tests/shaders/% tests/pictures/%,$(TESTS)),$(TESTS))
 TESTS := $(TESTS:%.c=$(BUILD)/%$(EXE))
 
@@ -207,7 +208,7 @@ TEST_PARTS := $(BUILD)/tests/lib/choice.o $(PARTS) $(EXTRA)
 $(TESTS): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.o $(TEST_PARTS)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(CMOCKA) $(LINK)
 
-# What the chapters pass to chapter_run.
+# The chapters, compiled to call live_run, with which a test receives what they would pass to chapter_run.
 TOGETHER_PARTS := $(STEMS:%=$(BUILD)/chapters/together/%.o) $(BUILD)/chapters.o
 $(BUILD)/tests/draw$(EXE): $(TOGETHER_PARTS)
 
@@ -234,8 +235,8 @@ $(FIGURES:%=$(BUILD)/docs/figures/%): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/docs/fig
 $(TEXTURES): $(BUILD)/%: $(BUILD)/%.o $(PAINT) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
-# The lecture and a browser's module contain all chapters, so each main gets a different name, and the function that it
-# calls leaves the loop to them.
+# The lecture and a browser's module contain all chapters, so each main gets a different name and calls live_run, which
+# leaves the loop to the lecture or to the page.
 $(BUILD)/chapters.o: $(BUILD)/chapters.c
 	$(call say,$(CC) $<) $(CC) $(COMPILE) -c -o $@ $<
 
@@ -262,7 +263,7 @@ EMSCRIPTEN = -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH -
              -sUSE_ES6_IMPORT_META=1 -sENVIRONMENT=web -sEXPORT_NAME=loadHarness -sFORCE_FILESYSTEM \
              -sEXPORTED_RUNTIME_METHODS=FS,ccall,UTF8ToString \
              -sINCOMING_MODULE_JS_API=canvas,print,printErr,locateFile,noInitialRun
-# Debian's Emscripten has its JavaScript tools there.
+# Debian's Emscripten has its JavaScript tools in this folder.
 export NODE_PATH = /usr/share/nodejs
 module: build/web/harness.js
 build/web/harness.js: $(STEMS:%=$(BUILD)/chapters/%.o) $(BUILD)/chapters.o $(COMMON) $(JUDGE) $(PAINTED) common/browser/page.js

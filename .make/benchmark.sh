@@ -3,8 +3,8 @@
 # tests/pictures/reference_scene.frag, and compare it with the table in docs/benchmark.md.
 #
 # Environment: CHAPTER, a single chapter; ROUNDS and FRAMES, the number of measurements and the number of frames in
-# each; WRITE=1 writes the table to docs/benchmark.md. With STEPS=1, steps.sh makes its table instead,
-# and with MARCHES=1, marches.sh.
+# each; WRITE=1 writes the table to docs/benchmark.md. With STEPS=1, steps.sh prints its table instead, and with
+# MARCHES=1, marches.sh does.
 set -u
 . .make/chapters.sh
 
@@ -22,9 +22,9 @@ work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 
-# The value of a name in the JSON on standard input.
+# Print the value of a name in the JSON on standard input.
 value() { sed -n "s/^  \"$1\": \"\{0,1\}\(.*[^\",]\)\"\{0,1\},\{0,1\}\$/\1/p"; }
-# The median of the numbers on standard input.
+# Print the median of the numbers on standard input.
 middle() { sort -g | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
 
 measure() { # FILE PROGRAM OPTION...
@@ -33,13 +33,14 @@ measure() { # FILE PROGRAM OPTION...
     "$@" --benchmark "$frames" --benchmark=json -s 640x360 -t 1 >"$to" || exit 1
 }
 
-# In every round the reference scene is measured before each chapter: whatever slows down the machine affects both.
+# In every round the reference scene is measured before each chapter, so that whatever slows down the machine affects
+# both.
 for round in $(seq "$rounds"); do
     for stem in $stems; do
         [ -t 2 ] && printf '%s, round %d of %d        \r' "$stem" "$round" "$rounds" >&2
         measure "$work/unit" build/00_first_scene --shader tests/pictures/reference_scene.frag
         measure "$work/$stem.$round" "build/$stem"
-        # On a graphics card use its own clock, elsewhere the processor time.
+        # Use the graphics card's own clock if there is one, otherwise the processor time.
         clock=gpu
         [ "$(value frame_median_gpu_ms <"$work/unit")" = null ] && clock=cpu
         unit=$(value frame_median_${clock}_ms <"$work/unit")

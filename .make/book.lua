@@ -24,7 +24,7 @@ end
 local function link(element)
     local kind, file, id = pages.target(element.target)
     if kind == 'file' then
-        return element.content -- its name is in the text
+        return element.content -- the text contains the file's name
     elseif kind ~= 'outside' then
         element.target = '#' .. anchor(kind == 'here' and page or file, id)
     end
@@ -51,7 +51,8 @@ local function formula(element)
     end
 end
 
--- The columns of a wide table are as wide as their text requires, so that long cells wrap. Pictures share the width.
+-- The length of a cell's text, or 60 if the cell has a picture. The columns of a wide table share its width in this
+-- proportion.
 local function width_of(cell)
     local pictures = false
     pandoc.walk_block(pandoc.Div(cell.contents), {Image = function(image)
@@ -60,7 +61,8 @@ local function width_of(cell)
     return pictures and 60 or #pandoc.utils.stringify(pandoc.Div(cell.contents))
 end
 
--- The length of the longest word of a cell, which cannot be broken. Code can, and a formula's source tells little.
+-- The length of the longest word of a cell, because a word cannot be broken. Code can be broken, and the source of a
+-- formula says little about its width.
 local function word_of(cell)
     local most = 0
     local prose = pandoc.walk_block(pandoc.Div(cell.contents), {
@@ -105,7 +107,7 @@ local function table_widths(element)
         element.colspecs[i] = {spec[1], word[i] / line + (1 - words / line) * longest[i] / total}
     end
     return pandoc.walk_block(element, {Image = function(image)
-        image.attributes.width = string.format('%d%%', math.floor(92 / #longest)) -- of the page
+        image.attributes.width = string.format('%d%%', math.floor(92 / #longest)) -- share of the page's width
         return image
     end})
 end
@@ -122,7 +124,7 @@ end
 
 -- ---- Folds ----
 
--- The owner of a fold: the number of an exercise or experiment, otherwise the title of the section.
+-- The name of a fold's owner: the number of an exercise or experiment, otherwise the title of the section.
 local function owner(title, number)
     local kind = number and ({Experiments = 'Experiment', Exercises = 'Exercise'})[title]
     return kind and kind .. ' ' .. number or title

@@ -1,15 +1,15 @@
 #!/bin/bash
-# check.sh - `make check EXERCISE=03_2 FILE=my.frag`: check a reader's solution of an exercise. The file and the
+# check.sh - `make check EXERCISE=03_2 FILE=my.frag`: check a reader's solution to an exercise. The file and the
 # solution in chapters/solutions are rendered with the same options, those of the exercise's pictures in
 # tests/pictures/images.txt and tests/course/checks.txt. Their pictures and the marches of some rays are compared.
 # EXERCISE=engine_1 is an exercise of docs/engine.md: FILE is a C program, which is built and run.
 #
 # The course for students has no solutions, only what `make student` has stored in tests/course/stored/EXERCISE/:
-# their pictures N.png, their rays, what their programs do (N.outcome), and a checksum of their text.
+# the solutions' pictures N.png, their rays, what their programs do (N.outcome), and a checksum of their text.
 #
 # Environment: EXERCISE; FILE, or FILES for a table with one line for each file. FILES is a pattern, or several patterns
 # separated by spaces. Pictures of the differences are left in build/check/EXERCISE/, each under the path of its file.
-# For `make marks`, the files are arguments, and MARKS names a file that gets a line for each of them, its fields
+# For `make marks`, the files are arguments, and MARKS names a file that receives a line for each of them, with fields
 # separated by tabs: exercise, file, mark, verdict, its picture, the right picture ('-' for none). With FILES or MARKS,
 # wrong.txt in the same folder lists the wrong pictures, as scenes for `make lecture`, if the solution exists. For
 # `make student`, STORE is a folder in which the solution's pictures and rays are stored; no file is checked.
@@ -35,7 +35,7 @@ no_room() {
     fail "$scratch: the disk has no room for the pictures: free some space, or set TMPDIR to a folder on another disk"
 }
 
-# Run the program; OPTIONS is one word. A file that was handed in has a time limit, because its loop may be endless.
+# Run the program; OPTIONS is one word. A file that was handed in has a time limit, because it may loop forever.
 render() { # OPTIONS SHADER OPTION...
     local options=$1 shader=$2
     shift 2
@@ -47,7 +47,7 @@ render() { # OPTIONS SHADER OPTION...
     )
 }
 
-# The output of --probe for some pixels, with the options of the picture.
+# Print the output of --probe for some pixels, with the options of the picture.
 probes() { # SHADER OPTIONS X,Y...
     local probes=("${@:3}")
     render "$(options_of_rays "$2")" "$1" "${probes[@]/#/--probe=}" 2>/dev/null
@@ -59,7 +59,7 @@ describe() { # SHADER OPTIONS X,Y
     build/tests/judge ray "$scratch/ray"
 }
 
-# Say where to look; this is printed below the message about a wrong picture.
+# Print where to look, below the message about a wrong picture.
 look() { # FILE OPTIONS PLACE N
     echo "  look at yours: $program --shader $(quoted "$1")${shown:+ $shown}"
     echo "  your pixel $3: $(describe "$1" "$2" "$3")"
@@ -76,7 +76,7 @@ list_wrong() { # FILE WORDS
     printf '%s --shader %s --compare %s %s\n    %s, on the left: %s\n' "${program#build/}" "$(quoted "$1")" "$solution" "$shown" "$1" "$2" >>"$folder/wrong.txt"
 }
 
-# The solution's picture for line N of the options, and its nine rays; each is made when it is first needed.
+# Make the solution's picture for line N of the options, and the solution's nine rays, when they are first needed.
 right_picture() { # N OPTIONS
     [ -e "$scratch/$1.png" ] ||
         render "$2" "$solution" -o "$scratch/$1.png" >/dev/null 2>"$scratch/errors" ||
@@ -87,7 +87,7 @@ right_rays() { # OPTIONS PLACES
     [ -e "$scratch/rays" ] || probes "$solution" "$1" $2 >"$scratch/rays"
 }
 
-# The reason why a file gave no picture, from the exit status and the messages.
+# Print the reason why a file gave no picture, from the exit status and the messages.
 why_not() { # STATUS
     case $1 in
     152) echo "does not end: no picture after $limit s" ;; # SIGXCPU
@@ -102,8 +102,8 @@ keep_pictures() { # N PICTURE
     printf '%s\t%s\n' "$2" "${2%.png}.right.png" >"$scratch/kept"
 }
 
-# Build a C program as docs/engine.md says, and tell what one command line does: its status, and the file and line that
-# its message names.
+# Build a C program as docs/engine.md says, and print what one command line does: its status, and the file and line
+# that its message names.
 build_program() { # SOURCE PROGRAM
     # shellcheck disable=SC2046 # flags are words
     "${CC:-cc}" -o "$2" "$1" $(pkg-config --cflags --libs glfw3 egl libpng) -lm 2>"$scratch/errors"
@@ -119,7 +119,7 @@ outcome() { # PROGRAM OPTIONS
     esac
 }
 
-# What the solution's program does with line N of the options, in N.outcome; its picture is N.png.
+# Write what the solution's program does with line N of the options to N.outcome, and its picture to N.png.
 right_outcome() { # N OPTIONS
     [ -e "$scratch/$1.outcome" ] || {
         outcome right "$2" >"$scratch/$1.outcome"
@@ -150,7 +150,7 @@ judge() { # FILE
     local difference=${file%.*}.difference.png
     difference=$folder/$(sed -E 's|^([.]{0,2}/)*||; s|/[.]{1,2}/|/|g' <<<"$difference")
     [ -e "$file" ] || { echo 'no such file'; return 1; }
-    [ -f "$file" ] || { echo 'no file to read'; return 1; }
+    [ -f "$file" ] || { echo 'not a regular file'; return 1; }
     [ -r "$file" ] || { echo 'cannot be read'; return 1; }
     mkdir -p "$(dirname "$difference")" || return 1
     [[ $solution != *.diff ]] || { judge_program "$file" "$difference"; return; }
@@ -168,7 +168,7 @@ judge() { # FILE
         [ -z "${MARKS-}" ] || keep_pictures "$number" "${difference%.difference.png}.png"
         said=$(build/tests/judge picture "$shown" "$scratch/$number.png" "$mine" "$difference")
         status=$?
-        [ "$status" -le 1 ] || exit 2 # reported
+        [ "$status" -le 1 ] || exit 2 # judge has reported the error
         { read -r place; read -r share; read -r said; } <<<"$said"
         [ "$status" = 0 ] || {
             echo "$said: see $difference"
@@ -183,7 +183,7 @@ judge() { # FILE
         # shellcheck disable=SC2086 # the pixels are separate words
         probes "$file" "$options" $places >"$scratch/mine"
         said=$(build/tests/judge rays "$shown" "$places" "$scratch/rays" "$scratch/mine") || {
-            [ $? = 1 ] || exit 2 # reported
+            [ $? = 1 ] || exit 2 # judge has reported the error
             echo "$said"
             list_wrong "$file" "$(head -n 1 <<<"$said")"
             return 1
@@ -192,7 +192,7 @@ judge() { # FILE
     build/tests/judge right "${shares[@]}"
 }
 
-# Is the file the published solution, or does it include it? Blanks and comments do not count.
+# True if the file is the published solution or includes it, ignoring blanks and comments.
 is_published() { # FILE
     [ "$(text_of "$1")" = "$(cat "$scratch/text")" ] ||
         without_comments "$1" | grep -qE '^[[:space:]]*#[[:space:]]*include[[:space:]]*["<].*solutions/'
@@ -226,7 +226,7 @@ store() { # FOLDER
 case ${EXERCISE-} in
 [0-9][0-9]_[0-9]* | engine_[0-9]*) ;;
 '') fail "which exercise? For example: make check EXERCISE=03_2 FILE=my.frag" ;;
-*) fail "EXERCISE=$EXERCISE: a chapter and a number, such as 03_2" ;;
+*) fail "EXERCISE=$EXERCISE: must be a chapter and a number, such as 03_2" ;;
 esac
 stem=$(basename "$(echo chapters/"${EXERCISE%%_*}"_*.c)" .c)
 wanted=$(pictures_of "$stem" "${EXERCISE#*_}")

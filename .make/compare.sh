@@ -2,8 +2,8 @@
 # compare.sh - `make compare PICTURES='one.png two.png'`: print in one line how much two pictures differ. If they differ
 # by more than rounding, a picture of the difference is left in build/compare.png.
 #
-# Environment: PICTURES. Exit status: 0 if they are the same within the tolerance, 1 if they are not, 2 if
-# they cannot be compared.
+# Environment: PICTURES. Exit status: 0 if the pictures are the same within the tolerance, 1 if they are not, 2 if they
+# cannot be compared.
 set -u -f
 export LC_ALL=C
 difference=build/compare.png

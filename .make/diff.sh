@@ -1,6 +1,6 @@
 #!/bin/sh
-# diff.sh - `make diff CHAPTER=03`: show what changed since the previous chapter; CHAPTER=engine_2: since the previous
-# step of docs/engine.md.
+# diff.sh - `make diff CHAPTER=03`: show what changed since the previous chapter, or, with CHAPTER=engine_2,
+# since the previous step of docs/engine.md.
 set -u
 . .make/chapters.sh
 
@@ -33,6 +33,6 @@ for kind in frag c; do
     else
         diff -u "$old" "$new"
     fi
-    # Status 1 means that they differ, as expected.
+    # Status 1 means that the files differ, as expected.
     [ $? -le 1 ] || exit 1
 done

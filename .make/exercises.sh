@@ -1,7 +1,7 @@
 #!/bin/bash
-# exercises.sh - the pictures and rays that are compared for an exercise, for `make check`, `make marks` and the pages. When
-# sourced, it defines functions; when run, it prints a line for each picture:
-# NN_K|STEM|OPTIONS|OPTIONS AS SHOWN|OPTIONS OF ITS RAYS|PLACES.
+# exercises.sh - the pictures and rays that are compared for an exercise, for `make check`, `make marks` and the pages.
+# When sourced, it defines functions; when run, it prints a line for each picture:
+# NN_K|STEM|OPTIONS|OPTIONS AS SHOWN|OPTIONS OF ITS RAYS|PIXELS OF ITS RAYS.
 export LC_ALL=C
 
 # Print NN_K for every exercise that has a solution. The course for students has only the lines of checks.txt.
@@ -31,12 +31,12 @@ pictures_of() { # STEM NUMBER
         }' tests/pictures/images.txt tests/course/checks.txt
 }
 
-# The part of the options that a page would show.
+# Print the part of the options that a page would show.
 shown_of() { # OPTIONS
     sed -E 's/^ *//; s/^--size 640x360 ?//' <<<"$1"
 }
 
-# Nine pixels of a picture: "X,Y X,Y ...".
+# Print nine pixels of a picture as "X,Y X,Y ...".
 places_of() { # OPTIONS
     local place places=() width height
     read -r width height <<<"$(sed -E 's/.*--size +([0-9]+)x([0-9]+).*/\1 \2/' <<<"$1")"
@@ -46,12 +46,12 @@ places_of() { # OPTIONS
     echo "${places[*]}"
 }
 
-# The options of a picture that its rays use too.
+# Print the options of a picture that its rays use too.
 options_of_rays() { # OPTIONS
     sed -E 's/(--view|--probe) +[^ ]+//g' <<<"$1"
 }
 
-# The text of a shader or a C program without comments, and a checksum of this text without blanks. Only the first
+# Print the text of a shader or a C program without comments, and a checksum of this text without blanks. Only the first
 # 500,000 bytes of a file are read.
 without_comments() { # FILE
     [ ! -f "$1" ] || head -c 500000 "$1" 2>/dev/null | awk 'BEGIN { RS = "\001" }

@@ -2,8 +2,8 @@
 # film.sh [OPTION...] - `make film`: make an MP4 and a GIF of a chapter with ffmpeg.
 #
 # Environment: CHAPTER, "03" or a whole stem (if empty, the first chapter); FRAMES and FPS, the number of pictures and
-# the number per second; VIEW, the view. The slice and the plot show one ray, and their films follow it from its first
-# step to its last. The pictures stay in build/film/STEM/. If the command is interrupted, the old film is kept.
+# the number per second; VIEW, the view. The slice and the plot show one ray, and their films follow this ray from its
+# first step to its last. The pictures stay in build/film/STEM/. If the command is interrupted, the old film is kept.
 set -u
 . .make/chapters.sh
 

@@ -3,22 +3,22 @@
 #
 # For each release, debootstrap makes a bare root with only git and make added, which a reader needs to fetch the
 # project and to type a command. The root is kept as an archive, which is unpacked for each try, and receives a clone
-# of the last commit. There are two kinds of try. In the first, root types the commands. In the second, a reader who
+# of the last commit. In the first kind of try, root types the commands. In the second, a reader who
 # may not install packages gives root the command that `make run` prints, and then continues. A try passes if every
 # command succeeds, at least one test passed, none failed, and every skipped test is listed in tests/lib/skipped.txt.
 # Only a few suites are run, which together need every package of both commands; ALL=1 runs the whole `make test`. The
 # output of the commands is in build/fresh/.
 #
-# A third kind of try, with ALL=1, is a machine in the cloud: the commands of .devcontainer/devcontainer.json, then, in the
-# course for students, those of its workflow, with a right and with a wrong answer.
+# A third kind of try, with ALL=1, is a machine in the cloud: the commands of .devcontainer/devcontainer.json, then, in
+# the course for students, those of its workflow, with a right and with a wrong answer.
 #
-# A try sees nothing of this machine: it has its own mount and process namespaces, its own proc and terminals, and
-# its own tmpfs on /dev/shm. /dev is never mounted: its files are nodes in the root. Both namespaces end with this
+# A try sees nothing of this machine: it has its own mount and process namespaces, its own /proc and terminals, and
+# its own tmpfs on /dev/shm. /dev is never mounted; its files are nodes in the root. Both namespaces end with this
 # script, and the mounts with them.
 #
 # Environment: TRIES, a list of RELEASE:root, RELEASE:reader and RELEASE:cloud, by default the first two on Debian 12
-# and 13; SID=1 adds both on sid, whose failures are reported but do not count; MIRROR, by default the one that this
-# machine's apt uses; XDG_CACHE_HOME.
+# and 13, and with ALL=1 the third on Debian 13; SID=1 adds the first two on sid, whose failures are reported but do not
+# count; MIRROR, by default the one that this machine's apt uses; XDG_CACHE_HOME.
 set -u
 export LC_ALL=C
 
@@ -39,7 +39,7 @@ if [ "$(id -u)" != 0 ]; then
     exit 1
 fi
 
-# Each release has a process of its own, since a package manager keeps one processor busy at most.
+# Each release is tried in a separate process, because a package manager keeps at most one processor busy.
 releases=$(echo "$tries" | tr ' ' '\n' | sed '/^$/d; s/:.*//' | sort -u)
 if [ "$(echo "$releases" | wc -l)" != 1 ]; then
     status=0
@@ -97,7 +97,7 @@ within() {
 
 # ---- Bare roots ----
 
-# source_of LABEL: this machine's source of Debian's packages with this label (Debian or Debian-Security).
+# source_of LABEL: print this machine's source of Debian's packages with this label (Debian or Debian-Security).
 source_of() {
     # shellcheck disable=SC2016 # apt's own names
     apt-get indextargets --format '$(ORIGIN)|$(LABEL)|$(REPO_URI)' 'Created-By: Packages' |
@@ -183,7 +183,7 @@ verdict() { # STATUS RELEASE WHO WHAT TEXT
     return "$1"
 }
 
-# two_commands RELEASE USER
+# two_commands RELEASE USER: run both commands of the README, as steps.
 two_commands() {
     local command
     while read -r command; do
@@ -206,7 +206,7 @@ hand_over() { # RELEASE
     within "$root" root "$command"
 }
 
-# The commands of a machine in the cloud, and those of the workflow in the course for students.
+# Print the commands of a machine in the cloud, and those of the workflow in the course for students.
 devcontainer() { # NAME
     sed -n "s/^ *\"$1\": \"\(.*\)\",*\$/\1/p" .devcontainer/devcontainer.json
 }

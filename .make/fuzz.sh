@@ -2,9 +2,9 @@
 # fuzz.sh - `make fuzz`: libFuzzer generates inputs for the parsers of user-written text, which are built with clang's
 # sanitizers. It starts from the files in tests/corpus/NAME; tests/lib/fuzz.h lists the conditions that must hold.
 #
-# Environment: DURATION, seconds for each target, 60 by default. Exit status: 0 if nothing was found;
-# 1 after a crash, a leak, a hang (5 s for one input) or a broken promise. The input is then kept in build/fuzz/; add
-# it to tests/corpus after the error is corrected.
+# Environment: DURATION, seconds for each target, 60 by default. Exit status: 0 if nothing was found; 1 after a crash, a
+# leak, a hang (5 s for one input) or a violated condition. The input is then kept in build/fuzz/; add it to
+# tests/corpus after the error is corrected.
 set -u
 export LC_ALL=C
 
@@ -23,7 +23,7 @@ export TMPDIR
 trap 'rm -rf "$TMPDIR"' EXIT
 trap 'kill $running 2>/dev/null; wait; exit 1' HUP INT TERM
 
-# Inputs that are found on the way are kept for the next run, separately from the committed files. The tests use the
+# New inputs that libFuzzer finds are kept for the next run, separately from the committed files. The tests use the
 # program's standard error, so -close_fd_mask=2 makes libFuzzer keep its own copy.
 fuzz() { # TARGET
     mkdir -p "$folder/found/$1"

@@ -1,6 +1,7 @@
--- handouts.lua - turns docs/teaching.md into handouts: two pages for each lab, or, with the metadata answers, a page with
--- the answers of each lab. A lab is a section '### Lab 3: chapters 02 and 03, ...' with a list, whose items begin with
--- *Predict.*, *Show.*, *Step by step.*, *Work.* and *Exit question.*; the answer to a question follows it in brackets.
+-- handouts.lua - turns docs/teaching.md into handouts: two pages for each lab, or, with the metadata answers, a page
+-- with the answers of each lab. A lab is a section '### Lab 3: chapters 02 and 03, ...' with a list, whose items begin
+-- with *Predict.*, *Show.*, *Step by step.*, *Work.* and *Exit question.*; the answer to a question follows it in
+-- brackets.
 
 local pages = dofile('.make/pages.lua')
 local answers = false
@@ -24,8 +25,8 @@ end
 
 -- ---- Questions and answers ----
 
--- The index of the inline that closes the bracket which opens at inline i; nil if it is not an answer: an answer follows
--- the end of a sentence.
+-- The index of the inline that closes the bracket opened at inline i, or nil if the bracket is not an answer. An answer
+-- follows the end of a sentence.
 local function answer_at(inlines, i)
     local inline, before = inlines[i], inlines[i - 1]
     if inline.t ~= 'Str' or inline.text:sub(1, 1) ~= '(' then return nil end
@@ -41,8 +42,8 @@ local function answer_at(inlines, i)
     end
 end
 
--- The inlines with lines to write on after each question, instead of its answer; or, on the sheets of answers, with the
--- answers in italics.
+-- The inlines with lines to write on after each question, instead of the answer, or, for the sheets of answers, with
+-- the answers in italics.
 local function answered(inlines)
     local result, i, last = {}, 1, nil
     while i <= #inlines do
@@ -94,7 +95,7 @@ local function exercise_table(chapters)
     return #text > 2 and pandoc.read(table.concat(text, '\n') .. '\n', 'gfm+tex_math_dollars').blocks or {}
 end
 
--- The questions of docs/questions.txt on a chapter, each with its answers in their order.
+-- The questions of docs/questions.txt on a chapter, each with its answers in order.
 local function questions(chapter)
     local found, question = {}, nil
     for line in read('docs/questions.txt'):gmatch('[^\n]+') do
@@ -140,7 +141,7 @@ end
 
 -- ---- A lab ----
 
--- The parts of a lab's list by their names: for each, the inlines after the name, then further blocks.
+-- The parts of a lab's list by their names. Each part has the inlines after the name, then further blocks.
 local function parts_of(list)
     local parts = {}
     for _, item in ipairs(list.content) do

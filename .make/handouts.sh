@@ -20,7 +20,7 @@ cat >"$folder/head.tex" <<'END'
 \pagestyle{empty}
 END
 
-# write_pdf NAME OPTION...: build/NAME.pdf
+# write_pdf NAME OPTION...: write build/NAME.pdf.
 write_pdf() {
     name=$1
     shift

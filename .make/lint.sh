@@ -1,16 +1,17 @@
 #!/bin/bash
-# lint.sh - `make lint`: check every source with every checker that knows its language. Called by make
-# after the programs are built; CFLAGS holds the language, the warnings and the libraries that this machine has.
+# lint.sh - `make lint`: check every source with every checker that knows its language. make calls it after the programs
+# are built. CFLAGS contains the options for the language, the warnings and this machine's libraries.
 #
-# A source that passed is not checked again until a file that its checkers read has changed. The name of its stamp is
-# made from the checkers, their settings and the source. The stamp lists the checksum of every file that was read.
+# A source that passed is not checked again until a file that its checkers read has changed. The name of its stamp
+# contains the language, and checksums of the checkers' settings and of the source. The stamp lists the checksum of
+# every file that was read.
 set -u
 export LC_ALL=C
 
 scratch=build/lint
 stamps=${XDG_CACHE_HOME:-$HOME/.cache}/ray-marching/lint
 read -r -a flags <<<"${CFLAGS-}"
-# In a function with many paths clang's analyzer needs seconds for the last of them; ALL=1 lets it follow more of them.
+# In a function with many paths, clang's analyzer needs seconds for the last of them; ALL=1 lets it follow more paths.
 states=${ALL:+225000}
 states=${states:-50000}
 windows=(-std=c11 -D_WIN32_WINNT=0x0A00 -Icommon -Ishaders -Itests -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
@@ -45,17 +46,17 @@ check_cppcheck() {
 
 check_shell() {
     shellcheck -x "${sources[@]}" || failed=1
-    for file in "${sources[@]}"; do # with the scripts that they source
+    for file in "${sources[@]}"; do # a stamp also lists the scripts that a script sources
         awk '!/^ *#/ { for (i = 1; i < NF; i++) if ($i == "." && $(i + 1) ~ /[.]sh$/) print $(i + 1) }' "$file" | xargs sha256sum "$file" >"$(list_of "$file")"
     done
 }
 
-# Expanded shaders, as desktop OpenGL and as ES, once for each view that they distinguish. Line 1 is
-# #version; line 2 sets VIEW in the course's own dialect.
+# Check expanded shaders as desktop OpenGL and as ES, once for each view that they distinguish. Line 1
+# is #version; line 2 sets VIEW in the course's own dialect.
 check_glsl() {
     local es variants=()
     for file in "${sources[@]}"; do
-        # The chapters must run in a browser; a reader's little example, or a shader of the engine, need not.
+        # The chapters must run in a browser; experiments, solutions and the shaders of the engine need not.
         case $file in */experiments-* | */solutions-* | */first_steps-engine_*) es=0 ;; *) es=1 ;; esac
         read -r -a variants <<<"${variants[*]-} $(awk -v name="${file%.frag}" -v es=$es '
             { line[NR] = $0 }
@@ -83,8 +84,8 @@ check_glsl() {
     rm -f "${variants[@]}"
 }
 
-# Expand a shader and print the name of the result; no OpenGL is needed. A library file goes into a
-# stub, because it must compile alone.
+# Expand a shader and print the name of the result; no OpenGL is needed. A library file is included
+# in a stub, because it must compile without other files.
 expand() { # SHADER
     local name=${1#chapters/} shader=$1
     name=$scratch/${name//\//-}
@@ -96,7 +97,7 @@ expand() { # SHADER
     build/00_first_scene --shader "$shader" --print-shader >"$name.frag" && printf '%s\n' "$name.frag"
 }
 
-# The list of the files that the checkers read for a source, with their checksums.
+# Print the name of the list of the files that the checkers read for a source, with their checksums.
 list_of() { # FILE
     printf '%s/%s.read' "$scratch" "${1//\//-}"
 }
@@ -143,7 +144,7 @@ mkdir -p "$scratch" "$stamps"
 find "$stamps" -type f -mtime +30 -exec rm -f {} +
 jobs=$(getconf _NPROCESSORS_ONLN) failed=0
 
-# The settings are the contents of files and the versions of programs.
+# The settings are the contents of files, the flags and the versions of programs.
 lint() { # LANGUAGE SETTINGS FILE...
     local language=$1 setting settings
     settings=$(for setting in .make/lint.sh $2; do
@@ -171,7 +172,8 @@ whole() {
 before=$(whole)
 touch -c "$stamps/glsl-$before"
 if [ ! -f "$stamps/glsl-$before" ]; then
-    # The harness refuses the uniform picture, which only docs/engine.md has; first_steps.sh draws with it.
+    # The harness refuses the uniform picture of this shader of docs/engine.md; tests/course/first_steps.sh draws with
+    # it.
     drawn=()
     for shader in chapters/*/*.frag; do
         case $shader in */engine_5.frag) ;; *) drawn+=("$shader") ;; esac

@@ -9,7 +9,7 @@ function fail(text)
 
 # ---- Listings ----
 
-# The listing of a name, lines joined by newlines; "" after an error.
+# The listing of a name, with its lines joined by newlines, or "" after an error.
 function listing(file, name, comment,    first, last, text, i)
 {
     if (read_source(file) < 0) {
@@ -37,7 +37,7 @@ function listing(file, name, comment,    first, last, text, i)
 
 # ---- The table of parameters ----
 
-# The part of a line from column a up to column b, which is excluded, or to the end if b is 0, without outer spaces.
+# The part of a line from column a up to, but not including, column b, or to the end if b is 0, without outer spaces.
 function cell(line, a, b,    text)
 {
     text = b ? substr(line, a, b - a) : substr(line, a)
@@ -46,7 +46,7 @@ function cell(line, a, b,    text)
     return text
 }
 
-# The parameters and textures of a program as Markdown tables; "" after an error. The words in the first line of each
+# The parameters and textures of a program as Markdown tables, or "" after an error. The words in the first line of each
 # table that --list prints determine where its columns begin.
 function table(stem,    command, line, text, n, name, at, i, wrong)
 {
@@ -101,7 +101,7 @@ function time(    command, line, word)
 
 # ---- The page ----
 
-# The block that a marker requests; "" after an error.
+# The block that a marker requests, or "" after an error.
 function block(line,    word, n)
 {
     n = split(line, word, " ")
@@ -115,7 +115,7 @@ function block(line,    word, n)
     return ""
 }
 
-# The block below a marker has been read: write the new one.
+# After the block below a marker has been read, write the new one.
 function finish()
 {
     if (old != fresh && mode == "check") {

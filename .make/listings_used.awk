@@ -1,6 +1,6 @@
-# listings_used.awk - check for listings.sh that the pages use their listings. Requires source.awk; operands: the pages.
-# A page must name each of its listings in backticks in its text. A block of code of three lines or more that is not
-# generated must not be a copy of a source, because it would become outdated. Variables:
+# listings_used.awk - for listings.sh, check that the pages use their listings. Requires source.awk; operands: the
+# pages. A page must name each of its listings in backticks in its text. A block of code of three lines or more that is
+# not generated must not be a copy of a source, because it would become outdated. Variables:
 #
 #   sources  the files that a block may have been copied from, separated by spaces
 #   library  the files whose functions and structs must all be listed on some page, or nothing
@@ -13,7 +13,7 @@ function fail(where, text)
 
 # ---- A page ----
 
-# Note the words of a line's inline code.
+# Record the words of a line's inline code.
 function note_spoken(line,    part, word, n, m, i, k)
 {
     n = split(line, part, "`")
@@ -24,7 +24,7 @@ function note_spoken(line,    part, word, n, m, i, k)
     }
 }
 
-# The end of a page: its text must have named each of its listings.
+# At the end of a page, check that its text has named each of its listings.
 function end_page(    i, name)
 {
     for (i = 1; i <= shown; i++) {
@@ -42,7 +42,7 @@ function end_page(    i, name)
 
 # ---- Copies ----
 
-# A line in the form in which copies are compared: without its comment, and with single spaces.
+# A line as it is compared with a possible copy: without its comment, and with single spaces.
 function plain(line)
 {
     sub(/\/\/.*/, "", line)
@@ -51,7 +51,7 @@ function plain(line)
     return line
 }
 
-# The line of the file at which the block begins, if all lines of the block follow there in this order; otherwise 0.
+# The line of the file at which the block begins if the file contains all lines of the block in this order, otherwise 0.
 function copied_from(file,    i, k, first)
 {
     read_source(file)

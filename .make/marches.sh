@@ -1,6 +1,6 @@
 #!/bin/sh
-# marches.sh - `make benchmark MARCHES=1`: measure seven marches in eleven scenes, and print what they cost and where they
-# err.
+# marches.sh - `make benchmark MARCHES=1`: measure seven marches in eleven scenes, and print their costs and their
+# errors.
 #
 # Environment: WRITE=1 writes both tables to docs/benchmark.md.
 set -u

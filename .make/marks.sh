@@ -1,14 +1,14 @@
 #!/bin/bash
-# marks.sh - `make marks FILES='hand-in/*/*.frag' EXERCISES='03_1 03_2' CSV=marks.csv`: mark a class. check.sh judges each
-# file. A file whose text is the published solution, or another student's, is marked as such; blanks and comments do
-# not count. The table has a row for each student; build/marks/index.html shows each picture beside the right one, and
-# build/marks/wrong.txt lists the wrong ones as scenes for `make lecture`.
+# marks.sh - `make marks FILES='hand-in/*/*.frag' EXERCISES='03_1 03_2' CSV=marks.csv`: mark a class. check.sh judges
+# each file. A file whose text is the published solution, or another student's, is marked as such; blanks and comments
+# do not count. The table has a row for each student; build/marks/index.html shows each picture beside the right one,
+# and build/marks/wrong.txt lists the wrong ones as scenes for `make lecture`.
 #
-# A student is a folder. If all files lie in one folder, a student is the part of the file's name before the exercise.
-# With several exercises, the name of each file contains its exercise, such as 03_1 in "lamp 03_1.frag".
+# Each folder is a student. If all files are in one folder, the part of a file's name before the exercise is the
+# student. With several exercises, the name of each file contains its exercise, such as 03_1 in "lamp 03_1.frag".
 #
-# Environment: FILES; EXERCISES; CSV, a file for the table (build/marks/marks.csv); CHECK_LIMIT, the seconds of processor
-# time for one picture (20). Exit status: 0 if every file could be judged, 2 if not.
+# Environment: FILES; EXERCISES; CSV, a file for the table, by default build/marks/marks.csv; CHECK_LIMIT, the seconds
+# of processor time for one picture, by default 20. Exit status: 0 if every file could be judged, 2 if not.
 set -u
 export LC_ALL=C CHECK_LIMIT=${CHECK_LIMIT:-20}
 
@@ -19,7 +19,7 @@ fail() {
 # shellcheck source=.make/exercises.sh
 . .make/exercises.sh
 
-# The exercise that a file answers; nothing if its name has none of them.
+# Print the exercise that a file answers, or nothing if its name contains none. A single exercise is that of every file.
 exercise_of() { # FILE
     local name=${1##*/} exercise
     for exercise in "${exercises[@]}"; do
@@ -36,7 +36,7 @@ student_of() { # FILE
     echo "${name#"$common"}"
 }
 
-# The longest common beginning of the lines, up to a '/'.
+# Print the longest common beginning of the lines, up to a '/'.
 common_folder() {
     awk 'NR == 1 { common = $0 }
         { while (substr($0, 1, length(common)) != common) common = substr(common, 1, length(common) - 1) }
@@ -73,7 +73,7 @@ rm -rf "$folder" && mkdir -p "$folder" || exit 2
 # picture.
 judge=
 trap '[ -z "$judge" ] || kill "$judge" 2>/dev/null; exit 2' HUP INT TERM
-# A line for each file: exercise, file, mark, verdict, picture, right picture.
+# Write a line for each file: exercise, file, mark, verdict, picture, right picture.
 for exercise in "${exercises[@]}"; do
     answers=()
     for file in "${files[@]}"; do
@@ -88,8 +88,8 @@ for file in "${files[@]}"; do
     [ -n "$(exercise_of "$file")" ] || echo "$file: its name contains none of ${exercises[*]}: not marked" >&2
 done
 
-# The same lines, preceded by the student, and with copies marked. An empty file and the chapter's own shader are
-# nobody's work: two of them are not a copy.
+# Write the same lines with the student added and with copies marked. An empty file and the chapter's own shader are
+# nobody's work, so two such files do not count as copies.
 number=0
 while IFS=$'\t' read -r exercise file mark verdict picture right; do
     [[ $verdict != 'the published solution; '* ]] || mark=copied
@@ -103,12 +103,12 @@ while IFS=$'\t' read -r exercise file mark verdict picture right; do
     printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$exercise" "$(student_of "$file")" "$mark" "$verdict" "$picture" "$text" "$file" || exit 2
 done <"$folder/judged" >"$folder/named"
 sort -t $'\t' -k 2,2 -k 1,1 "$folder/named" | CSV=$table awk -F '\t' -v page="$folder/index.html" -v exercises="${exercises[*]}" '
-    function cell(s) { if (s ~ /^[-=+@]/) s = "\047" s; gsub(/"/, "\"\"", s); return "\"" s "\"" } # not a formula for a spreadsheet
+    function cell(s) { if (s ~ /^[-=+@]/) s = "\047" s; gsub(/"/, "\"\"", s); return "\"" s "\"" } # a spreadsheet must not take it for a formula
     function html(s) { gsub(/&/, "\\&amp;", s); gsub(/</, "\\&lt;", s); gsub(/>/, "\\&gt;", s); return s }
     { line[NR] = $0 }
     !(($1, $6, $2) in had) { had[$1, $6, $2]; who[$1, $6] = who[$1, $6] (who[$1, $6] == "" ? "" : ", ") $2; count[$1, $6]++ }
     END {
-        csv = ENVIRON["CSV"] # as it is, with its backslashes
+        csv = ENVIRON["CSV"] # -v would interpret its backslashes
         wanted = split(exercises, exercise, " ")
         printf "student" >csv
         for (e = 1; e <= wanted; e++) printf ",%s,%s", exercise[e], cell(exercise[e] " remark") >csv
@@ -118,7 +118,7 @@ sort -t $'\t' -k 2,2 -k 1,1 "$folder/named" | CSV=$table awk -F '\t' -v page="$f
         print "<table><tr><th>student<th>exercise<th>mark<th>handed in<th>right" >page
         for (i = 1; i <= NR; i++) {
             split(line[i], f, "\t")
-            if (count[f[1], f[6]] > 1 && f[3] != "copied") { f[3] = "copied"; f[4] = "one text: " who[f[1], f[6]] "; " f[4] }
+            if (count[f[1], f[6]] > 1 && f[3] != "copied") { f[3] = "copied"; f[4] = "the same text: " who[f[1], f[6]] "; " f[4] }
             if (!(f[2] in seen)) { seen[f[2]] = 1; student[++students] = f[2] }
             twice = (f[2], f[1]) in mark
             mark[f[2], f[1]] = twice ? mark[f[2], f[1]] " " f[3] : f[3]

@@ -59,7 +59,7 @@ limited() { # ROOT COMMAND...
     ) >"$scratch/log" 2>&1
 }
 
-# The time of a test, and whether it passes without a mutation, are measured once for each build of it.
+# Whether a test passes without a mutation, and its time, are determined once for each build of the test.
 mkdir -p build/mutants
 usable() { # PROGRAM
     local times=build/mutants/${1//\//_} before after
@@ -75,7 +75,7 @@ usable() { # PROGRAM
     fi
     ! grep -q failed "$times"
 }
-cheapest_first() { # reads programs
+cheapest_first() { # sort the usable programs on standard input by their times
     local program
     while read -r program; do
         usable "$program" && cat "build/mutants/${program//\//_}"
@@ -84,7 +84,7 @@ cheapest_first() { # reads programs
 
 # ---- Which tests cover a file ----
 
-# A line 'FILE INCLUDED' for each shader and each file that it includes, directly or indirectly.
+# Write a line 'FILE INCLUDED' for each shader and each file that it includes, directly or indirectly.
 awk '/^ *#include "/ { split($0, word, "\""); n = split(word[2], part, "/"); includes[FILENAME] = includes[FILENAME] " " part[n] }
     FNR == 1 { n = split(FILENAME, part, "/"); if (!(part[n] in path)) path[part[n]] = FILENAME; files[++total] = FILENAME }
     function visit(top, file,    list, i, n) {
@@ -129,7 +129,7 @@ pictures_of() { # FILE
 
 shader_suites_of() { # FILE
     local suite
-    # A suite names its shader by its path, or a chapter's by the chapter.
+    # A suite names a shader by its path, or a chapter's shader by the chapter's stem.
     awk -v file="$1" '$2 == file && /^tests/ { print $1 }
         $2 == file && sub(/\.frag$/, "", $1) && sub(/^chapters\//, "", $1) && $1 !~ /\// { print "\"" $1 "\"" }' \
         "$scratch/includes" >"$scratch/frags"
@@ -140,8 +140,8 @@ shader_suites_of() { # FILE
     done | cheapest_first
 }
 
-# The programs that include the module's header, and those that open a window if it belongs to that folder; if there
-# are none, those that include a header of its folder; otherwise all.
+# Print the tests that include the module's header, and, for a module of common/window, the tests of the window. If no
+# test includes that header, print those that include a header of the module's folder, or, if there are none, all.
 c_suites_of() { # FILE
     local programs pattern
     programs=$(find build/tests -mindepth 2 -name '*.d' | while read -r d; do [ ! -x "${d%.d}" ] || echo "$d"; done)
@@ -194,7 +194,7 @@ judge_c() { # FILE
         link_with "$scratch/mutant.o" "$suite" || { cp "$scratch/log" build/mutants/link.log; echo refused; return; }
         limited "$copy" "$copy/build/tests/$suite" || { echo caught; return; }
     done
-    # The harness also draws the views.
+    # The harness also draws the views, so draw some pictures of them.
     read -r -d '' -a names < <(pictures_of shaders/views.glsl)
     link_with "$scratch/mutant.o" tools/draw || { echo refused; return; }
     draw_judges "$copy/build/tests/tools/draw" "${names[@]}"

@@ -1,7 +1,10 @@
 # mutate.awk - random mutations of C and GLSL sources, chosen by a seed.
-# awk -v seed=1 -v count=30 -f .make/mutate.awk FILE...: prints up to count lines of FILE, line number, old line and new
-# line, separated by the byte 31. Comments, strings and preprocessor lines are never changed. A line is chosen first,
-# then one of its mutations. The generator is our own because every awk has a different rand.
+#
+#   awk -v seed=1 -v count=30 -f .make/mutate.awk FILE...
+#
+# This prints up to count mutations, each as a line of file, line number, old line and new line, separated by byte 31.
+# Comments, strings and preprocessor lines are never changed. A line is chosen first, then one of its mutations. The
+# random generator is our own, because every awk has a different rand.
 
 function random(n) # 0 to n - 1; the products stay below 2^53
 {
@@ -40,13 +43,13 @@ function code_of(line,    i, c, two, quote, out)
     return out
 }
 
-# Record the mutation that replaces length characters at position with text.
+# Record the mutation that replaces size characters at position at with text.
 function mutation(at, size, text)
 {
     change[lines, ++changes[lines]] = substr($0, 1, at - 1) text substr($0, at + size)
 }
 
-# The position of the parenthesis that closes the one at 'at'; commas: the positions of commas at its level.
+# The position of the bracket that closes the one at 'at', or 0; comma receives the positions of commas at its level.
 function closing(code, at,    i, c, depth)
 {
     comma_count = 0

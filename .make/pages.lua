@@ -28,7 +28,7 @@ function pages.figure(paragraph)
     end
 end
 
--- Is this a diagram in Mermaid? It is only for GitHub; the table before it contains the same information.
+-- True for a diagram in Mermaid, which is only for GitHub; the table before it contains the same information.
 function pages.mermaid(block)
     return block.classes:includes('mermaid')
 end

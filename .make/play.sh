@@ -15,7 +15,7 @@ if [ -z "$file" ]; then
         echo "$file: made from chapters/first_steps/play.frag; it is yours to change"
     fi
 elif [ ! -e "$file" ]; then
-    echo "make play: $file: no such file: \`make play\` alone creates one to start from" >&2
+    echo "make play: $file: no such file: \`make play\` without FILE creates one to start from" >&2
     exit 1
 fi
 

@@ -1,5 +1,6 @@
-# questions.awk - the questions of docs/questions.txt for a learning platform: -v form=gift or -v form=xml (Moodle's XML). The
-# pages of the chapters come before it on the command line; their titles name the categories. Fails if a question is malformed.
+# questions.awk - convert the questions of docs/questions.txt for a learning platform, with -v form=gift or -v form=xml
+# (Moodle's XML). On the command line, the pages of the chapters precede the questions, because their titles name the
+# categories. Fails if a question is malformed.
 
 function fail(why) {
     printf "make: %s:%d: %s\n", FILENAME, FNR, why > "/dev/stderr"

@@ -1,8 +1,8 @@
 # shellcheck shell=sh
 # scenes.sh - sourced by the scripts that need the pictures of a lecture's scenes.
 
-# draw_scenes LIST FOLDER: draw the picture of each scene of a list, FOLDER/01.png and so on, and write what
-# build/lecture --print says of the list to FOLDER/scenes. Returns 1 if a scene cannot be drawn.
+# draw_scenes LIST FOLDER: draw the picture of each scene of a list, FOLDER/01.png and so on, and write the
+# output of build/lecture --print for the list to FOLDER/scenes. Returns 1 if a scene cannot be drawn.
 draw_scenes() {
     mkdir -p "$2" && build/lecture --print "$1" >"$2/scenes" || return
     while IFS=$(printf '\037') read -r number _ stem options _; do

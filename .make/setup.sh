@@ -5,8 +5,8 @@
 # (to try it), student (the course for students), fresh (bare machines to test on).
 #
 # If nothing is missing, this only looks for files and commands, and uses neither the network nor the package manager.
-# If something is missing, it installs it as root; with a terminal and sudo, it says what it will install and lets sudo
-# ask for the password; otherwise it prints one command and fails.
+# As root, this script installs whatever is missing; with a terminal and sudo, it says what it will install and lets
+# sudo ask for the password; otherwise it prints one command and fails.
 #   --check  install nothing
 #   --all    also install packages that are useful but not required
 # ShellCheck does not see that the functions has_... are called, because they are passed to need by name.
@@ -118,7 +118,7 @@ need_run() {
     need 'a C compiler' 'gcc libc6-dev|gcc glibc-devel|gcc|gcc|gcc' has_header stdio.h
     need 'pkg-config' 'pkg-config|pkgconf-pkg-config|pkgconf|pkg-config|pkgconf' has_command pkg-config
     need 'GLFW (opens windows)' 'libglfw3-dev|glfw-devel|glfw|glfw|glfw' has_library glfw3
-    need 'EGL (renders without one)' 'libegl-dev libegl1|libglvnd-devel mesa-libEGL|libglvnd mesa|-' \
+    need 'EGL (renders without a window)' 'libegl-dev libegl1|libglvnd-devel mesa-libEGL|libglvnd mesa|-' \
         has_library egl
     need 'OpenGL headers' 'libgl-dev|libglvnd-devel|libglvnd|-' has_header GL/glcorearb.h
     need 'the Mesa software renderer' 'libgl1-mesa-dri|mesa-dri-drivers|mesa|-' has_driver
@@ -266,7 +266,7 @@ look() {
 
 # ---- Installation ----
 
-# The packages that are useful but not required, as far as the package manager has them.
+# Print those useful but not required packages that the package manager has.
 available() {
     for name in $extra; do
         if [ "$manager" = apt-get ]; then
@@ -277,8 +277,8 @@ available() {
     done
 }
 
-# The same for a command that begins with a refresh: apt finds out only then, and an unknown name in '?exact-name()'
-# is not an error.
+# Print the same packages for a command that begins with a refresh. Only after the refresh does apt know which packages
+# it has, and an unknown name in '?exact-name()' is not an error.
 useful() {
     [ "$manager" = apt-get ] || { available; return; }
     for name in $extra; do printf " '?exact-name(%s)'" "$name"; done
@@ -301,7 +301,7 @@ install_command() {
     esac
 }
 
-# The command that a person would type or give to an administrator: without sudo, to root.
+# Print the command that a person would type, or give to an administrator. Without sudo, it is a command for root.
 one_command() {
     as=
     [ "$(id -u)" != 0 ] && command -v sudo >/dev/null && as='sudo '
@@ -335,7 +335,7 @@ fi
 [ -z "$purposes" ] && exit 0
 
 if [ "$manager" = none ]; then
-    printf 'setup: this machine lacks: %s. It has no apt-get, dnf, pacman or brew: install them by hand.\n' \
+    printf 'setup: this machine lacks: %s. It has no apt-get, dnf, pacman or brew: install what is missing by hand.\n' \
         "$purposes" >&2
     exit 1
 fi

@@ -1,6 +1,6 @@
 #!/bin/sh
-# slides.sh - `make slides`: typeset the scenes of a list as slides, build/slides.pdf: the picture of each scene, and its
-# sentence below.
+# slides.sh - `make slides`: typeset the scenes of a list as slides, build/slides.pdf. A slide has the picture of a
+# scene, and the scene's sentence below.
 #
 # Environment: LIST, a list of scenes; the default is docs/lecture.txt.
 set -u

@@ -1,6 +1,6 @@
 # source.awk - find the definitions in a C or GLSL source, for the scripts that maintain the pages.
 
-# A line of a source without strings and comments, so that only its code is counted.
+# A line of a source, with strings blanked and without comments, so that only its code is counted.
 function bare(line)
 {
     gsub(/'(\\.|[^'\\])'/, "0", line)
@@ -71,7 +71,7 @@ function read_source(file,    line, n, code, first, text, depth, word)
         code = bare(line)
         if (line ~ /^#define / && split(line, word, /[ (]/) >= 2)
             define(file, word[2], n, n, "other")
-        if (line ~ /^#/ || (!first && code ~ /^[A-Z_]+\([A-Z_]+\)$/)) # the second: a macro alone
+        if (line ~ /^#/ || (!first && code ~ /^[A-Z_]+\([A-Z_]+\)$/)) # the second condition: a macro call alone
             continue
         if (!first && code ~ /^[A-Za-z_]/) {
             first = n

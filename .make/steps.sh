@@ -15,8 +15,8 @@ work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 
-# The largest threshold of the first march, in GLSL; empty for a chapter that does not march its scene with march or
-# marchCone.
+# Print the largest threshold of the first march, in GLSL, or nothing for a chapter that does not march its scene with
+# march or marchCone.
 margin() {
     case $1 in
     01* | 02* | 03* | 04* | 05* | 08*) echo hitThreshold ;;
@@ -26,7 +26,8 @@ margin() {
     esac
 }
 
-# Print the file that draws the chapter's scene with these methods: the experiment 16_scene_NN, if there is one.
+# Print the name of a file that draws the chapter's scene with these methods: the experiment 16_scene_NN if there is
+# one, otherwise a new file.
 scene() { # STEM
     own=chapters/experiments/16_scene_${1%%_*}.frag
     if [ -e "$own" ]; then
@@ -41,7 +42,8 @@ scene() { # STEM
     echo "$work/means_$1.frag"
 }
 
-# The same without longer steps, with the loop of marchCone, which computes less in each step.
+# Print the name of a file that does the same without longer steps, with the loop of marchCone, which computes less in
+# each step.
 plain() { # STEM FILE
     case $2 in "$work"/*) included=${2##*/} ;; *) included=${2#chapters/} ;; esac
     {
@@ -61,7 +63,7 @@ measure() { # NAME PROGRAM OPTION...
     "$@" --benchmark "$frames" --benchmark=json -s 640x360 -t 1 >"$work/$name" || exit 1
 }
 
-# Measure a chapter as it is and then with some of the methods: whatever slows down the machine affects both.
+# Measure a chapter as it is and then with some of the methods, so that whatever slows down the machine affects both.
 compared() { # STEM KIND FILE OPTION...
     stem=$1 kind=$2 file=$3
     shift 3
@@ -81,7 +83,7 @@ marched=
 for stem in $list; do
     if [ "$stem" = 16_fewer_steps ] || [ -n "$(margin "$stem")" ]; then marched="$marched $stem"; fi
 done
-[ -n "$marched" ] || { echo 'make benchmark STEPS=1: this chapter has no march of its own' >&2; exit 1; }
+[ -n "$marched" ] || { echo 'make benchmark STEPS=1: this chapter does not use march or marchCone' >&2; exit 1; }
 for round in $(seq "$rounds"); do
     for stem in $marched; do
         [ -t 2 ] && printf '%s, round %d of %d        \r' "$stem" "$round" "$rounds" >&2

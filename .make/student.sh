@@ -1,9 +1,10 @@
 #!/bin/bash
-# student.sh - `make student`: the course without its solutions and answers, as a folder and a zip in build/student/. `make
-# check` works in the folder: the pictures and rays of the solutions are stored in tests/course/stored/. Only files that
-# git tracks are copied, with the changes that are not committed yet. If the folder has become a repository, its history stays.
+# student.sh - `make student`: pack the course without its solutions and answers, as a folder and a zip in
+# build/student/. `make check` works in the folder: the pictures and rays of the solutions are stored in
+# tests/course/stored/. Only files that git tracks are copied, with the changes that are not committed yet. If the
+# folder has become a repository, its history stays.
 #
-# Environment: STUDENT_FOLDER instead of build/student; EXERCISES, those that are stored (all).
+# Environment: STUDENT_FOLDER, by default build/student; EXERCISES, whose solutions' results are stored, by default all.
 # The pictures are drawn again only if a shader, the programs' sources or a list of exercises has changed.
 set -eu
 export LC_ALL=C TZ=UTC
@@ -45,13 +46,13 @@ git ls-files -z | tar --null -T - -cf - | tar -C "$course" -xf -
 cd "$course"
 rm -rf chapters/solutions tests/course/answers.* tests/course/claims.sh docs/teaching.md docs/questions.txt docs/web/guesses.txt .ci
 : >docs/web/guesses.txt
-# Two shaders of build/tests/measure contain the formula of a solution; its row is then 1.
+# Two shaders of build/tests/measure contain the formula of a solution, which is replaced with 1.
 for shader in openness shadows; do
     awk '/^float (nearTaps|signedClearance)\(/ { print; print "{\n    return 1.0;\n}"; formula = 1 }
         !formula { print }
         /^}/ { formula = 0 }' "$OLDPWD/tests/shaders/$shader.frag" >tests/shaders/$shader.frag
 done
-# The suites that need what is left out.
+# Remove the suites that need what is left out.
 grep -lE 'solutions/|teaching[.]md|questions[.]txt' tests/*/*.sh tests/*/*.mjs | xargs rm -f
 cp -R .make/student/folder/. .
 cd "$OLDPWD"
@@ -62,12 +63,12 @@ for page in README.md docs/README.md docs/platforms.md docs/[0-9]*.md docs/engin
     awk -f .make/student.awk "$page" | awk -v name="$page" -v list=.make/student/replaced.txt -f .make/student/replace.awk >"$course/$page"
 done
 
-# Of a solution's pictures, those that a page shows.
+# Keep only those pictures of solutions that a page shows.
 for picture in "$course"/tests/references/*-solution-*.png; do
     cat "$course"/docs/*.md | grep -q -F "${picture##*/}" || rm "$picture"
 done
 
-# The list of the exercises and their pictures.
+# Write the list of the exercises and their pictures.
 {
     printf '# What make check compares: an exercise and the options of a picture, a line each. The right pictures are in\n# tests/course/stored/.\n\n'
     for exercise in $(exercises); do

@@ -10,10 +10,10 @@ same_pixels() { # A.png B.png
 
 for program in shaders/textures/*.c; do
     name=$(basename "$program" .c)
-    [ -e "shaders/textures/$name.h" ] && continue # it contains functions for the others
+    [ -e "shaders/textures/$name.h" ] && continue # a source with a header contains functions for the others
     file=shaders/textures/$name.png new=build/shaders/textures/$name.png
     "build/shaders/textures/$name" >"$new" || exit 1
-    # compare ignores the alpha channel, so a file that has one is the same only if its bytes are.
+    # compare ignores the alpha channel, so a file with one is the same only if its bytes are.
     [ "$(od -An -tu1 -j25 -N1 "$new")" -eq 6 ] && same=(cmp -s) || same=(same_pixels)
     if [ -e "$file" ] && "${same[@]}" "$file" "$new"; then
         echo "same     $file"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # windows_libraries.sh - build the libraries and headers of the programs for Windows, on Debian, for the cross build:
-# zlib, libpng, GLFW and, for the tests, cmocka, each compiled here from Debian's own source package; cglm and stb
+# zlib, libpng, GLFW and, for the tests, cmocka, each compiled from Debian's source package; cglm and stb
 # consist only of headers. Everything goes to build/windows/prefix, with the files for pkg-config and the licences.
 #
 # Environment: CC, the cross compiler with its flags. No special rights are needed, because the lists of the source

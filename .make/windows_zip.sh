@@ -7,7 +7,7 @@ export LC_ALL=C TZ=UTC
 zip=$PWD/build/ray-marching-windows.zip
 out=build/windows/zip/ray-marching
 rm -rf build/windows/zip "$zip"
-mkdir -p "$out/licences" "$out/shaders/textures" "$out/exercises" "$out/build" # commands in the pages write their pictures there
+mkdir -p "$out/licences" "$out/shaders/textures" "$out/exercises" "$out/build" # commands on the pages write their pictures to build
 
 # ---- The programs and the files that they read ----
 
@@ -19,8 +19,9 @@ find chapters -name '*.frag' ! -path chapters/play.frag -o -name '*.glsl' | whil
     cp "$file" "$out/$file"
 done
 
-# For check.bat: program, solution, positions and options of the rays; then for each picture its options, those that its
-# rays use, and those that a page would show, which are last because they may be empty.
+# Write the files for check.bat. The first line has the program, the solution, and the positions and options of the
+# rays. Each other line has the options of a picture, those that its rays use, and those that a page would show, which
+# are last because they may be empty.
 .make/exercises.sh | awk -F '|' -v OFS='|' -v ORS='\r\n' -v out="$out/exercises/" '
     { file = out $1 ".txt"; gsub(/^ +| +$/, "", $3); gsub(/^ +| +$/, "", $5) }
     !(file in seen) {

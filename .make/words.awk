@@ -1,6 +1,6 @@
-# words.awk - print the number of words in the story of a chapter's page (everything before its parameters or, if it has
-# none, its experiments) and in its proofs. Only prose is counted: no listings, tables, pictures, comments or folds, and
-# not the French summary.
+# words.awk - print the number of words in the story of a chapter's page (everything before its parameters, experiments
+# or exercises, whichever come first) and in its proofs. Only prose is counted: no listings, tables, pictures, comments
+# or folds, and not the French summary.
 
 /^ *```/ { fenced = !fenced; next }
 fenced || /^<!--/ || /^(\||>|!\[|\*\*Time\.\*\*)/ { next }

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-// In double, because a float loses digits of cos(tilt) near the limit.
+// Computed in double, because a float loses digits of cos(tilt) near the limit.
 struct camera_basis camera_basis_of(const struct camera *camera)
 {
     double pan = (double)camera->pan * GLM_PI / 180.0;

@@ -1,7 +1,7 @@
 // camera.h - the position of the eye and the direction in which it looks.
 //
-// World: y up, right-handed. Pan 0 and tilt 0 look along -z; a positive pan turns to the right
-// (towards +x), a positive tilt turns up.
+// The world is right-handed, and y is up. Pan 0 and tilt 0 look along -z; a positive pan turns to
+// the right (towards +x), a positive tilt turns up.
 #ifndef CAMERA_H
 #define CAMERA_H
 
@@ -12,7 +12,7 @@
 
 struct camera {
     vec3 position; // scene units
-    float pan;     // degrees, any; kept in [-180, 180) by camera_turn
+    float pan;     // degrees, any value; camera_turn wraps it into [-180, 180)
     float tilt;    // degrees, in [-CAMERA_TILT_LIMIT, CAMERA_TILT_LIMIT]
 };
 
@@ -25,10 +25,10 @@ struct camera_basis {
 //   forward = (sin pan cos tilt, sin tilt, -cos pan cos tilt)
 //   right   = normalize(forward x (0, 1, 0)) = (cos pan, 0, sin pan)
 //   up      = right x forward
-//   camera  its position is not used; its tilt is within the limit
+//   camera  must have a tilt within the limit; its position is not used
 struct camera_basis camera_basis_of(const struct camera *camera);
 
-// Turn by angles in degrees; the tilt stops at its limit, the pan wraps into [-180, 180).
+// Turn by angles in degrees; the tilt stops at its limit, and the pan wraps into [-180, 180).
 void camera_turn(struct camera *camera, float pan, float tilt);
 
 // Move in the camera's own frame.

@@ -99,7 +99,7 @@ static int open_and_draw(struct run *run)
     return done ? RUN_DONE : RUN_NOT_DONE;
 }
 
-// The parameters and textures of --list.
+// Print the parameters and textures for --list.
 static int print_list(const struct run *run)
 {
     for (int i = 0; i < (run->options.compares ? 2 : 1); i++) {

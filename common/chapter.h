@@ -20,8 +20,8 @@ struct chapter {
     const char *stem;                  // "01_normal_colouring"
     const char *title;                 // for the window's title bar and --help
     const char *shows;                 // one sentence: what the picture shows
-    struct camera camera;              // where the eye starts
-    const struct sculpture_tool *tool; // changes a texture below the pointer; may be NULL
+    struct camera camera;              // the initial view
+    const struct sculpture_tool *tool; // changes a texture under the pointer; may be NULL
 };
 
 // Carry out the command line: options -> shader -> context -> renderer -> picture or window.
@@ -41,18 +41,18 @@ struct window;
 int chapter_open(struct run **run, const struct chapter *chapter, int argc, char **argv);
 
 // Read the shaders of a command line, and have the driver start compiling them. When chapter_ready
-// returns true, chapter_open, called with a run of its own, no longer waits for the compiler. An
-// error is reported here, and again by chapter_open.
+// returns true, chapter_open, called with another run, no longer waits for the compiler. An error
+// is reported here, and again by chapter_open.
 //   run  receives what chapter_close frees
 void chapter_begin(struct run **run, const struct chapter *chapter, int argc, char **argv);
 bool chapter_ready(const struct run *run);
 
-// The window that waits for its turns; NULL if none was requested or none could be opened.
+// The window, whose loop the caller runs; NULL if none was requested or none could be opened.
 struct window *chapter_window(const struct run *run);
 
 void chapter_close(struct run *run);
 
-// Visit every path that is looked at while the shaders of a command line are read. No picture is
+// Visit every path that is looked up while the shaders of a command line are read. No picture is
 // drawn.
 //   visit  is called with to and each path
 void chapter_visit_files(const struct chapter *chapter, int argc, char **argv,

@@ -13,7 +13,7 @@ static void write_string(FILE *stream, const char *text)
     fputc('"', stream);
 }
 
-// Write what precedes a value.
+// Write the comma and the name that precede a value.
 static void begin_value(struct json *json, const char *name)
 {
     fputs(json->comma ? "," : "", json->stream);

@@ -5,19 +5,19 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-// Begin with {.stream = stream}.
+// Initialise a writer with {.stream = stream}.
 struct json {
     FILE *stream;
     bool lines; // each member of an object gets its own line
     bool comma; // the next value needs a comma before it
 };
 
-// Each writes one value.
-//   name     of the member of an object; NULL in an array and for the outermost value
+// Each function writes one value, or one bracket of a value.
+//   name     name of the member of an object; NULL in an array and for the outermost value
 //   bracket  { or [ to begin, } or ] to end
 //   text     UTF-8; NULL is written as ""
 //   value    infinities and NaN are written as null
-//   decimals of the number; -1 for nine digits
+//   decimals digits after the point; -1 for nine significant digits
 void json_begin(struct json *json, const char *name, char bracket);
 void json_end(struct json *json, char bracket);
 void json_text(struct json *json, const char *name, const char *text);

@@ -8,10 +8,10 @@
 #include <string.h>
 
 #define DIGITS  "0123456789"
-#define LONGEST 128 // characters of a number
+#define LONGEST 128 // bytes of a number, including the final '\0'
 
-// The length of the number with which the text begins. point receives the index of its decimal
-// point if it has one.
+// Return the length of the number with which the text begins, or 0 if there is none. point receives
+// the index of its decimal point if it has one.
 static size_t measure(const char *text, size_t *point)
 {
     size_t i = text[0] == '-' || text[0] == '+';
@@ -84,7 +84,7 @@ const char *number_hint(const char *text)
     return number_read(hint + 8, &value) ? hint : "";
 }
 
-// C writes 1e-6 as "1e-06".
+// Shorten an exponent that printf has written: 1e-06 becomes 1e-6, and 1e+10 becomes 1e10.
 static void shorten_exponent(char *text)
 {
     char *exponent = strchr(text, 'e');

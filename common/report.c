@@ -10,7 +10,7 @@
 // The last message.
 static char last[LINE_SIZE + 2];
 
-// What messages begin with.
+// The text with which messages begin.
 static char place[1024];
 
 void report_place(const char *text)
@@ -37,7 +37,7 @@ static void keep(const char *text, size_t length)
 }
 
 // Print a text with '?' for its control characters, except those in allowed, and end its last line.
-// A text that fits the buffer is written in one call, so that programs do not mix their lines.
+// A text that fits the buffer is written in one call, so that lines of several programs do not mix.
 static void print_clean(const char *text, const char *allowed)
 {
     char clean[LINE_SIZE + 1];

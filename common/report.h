@@ -10,16 +10,18 @@
 // line. Always returns false, for "return report(...);".
 bool report(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-// Begin every message of report() with a place and ": ", as in "my.txt:3: ", until the next call.
-//   text  the place, which is copied, or NULL
+// Begin every message of report() with a position in a file and ": ", as in "my.txt:3: ", until the
+// next call.
+//   text  the position, which is copied; NULL for none
 void report_place(const char *text);
 
-// As report(), for a text of several lines: a shader's errors with their source.
+// Print a text of several lines, such as a shader's errors with their source, on standard error.
+// Control characters other than newlines and tabs are printed as '?'.
 void report_lines(const char *text);
 
-// The last message of report() or report_lines(), to show it elsewhere too: control characters are
-// '?', lines end in '\n', a very long text is cut. "" before the first. Valid until the next
-// report.
+// Return the last message of report() or report_lines(), to show it elsewhere too. Control
+// characters are '?', lines end in '\n', and a very long text is cut. Returns "" before the first
+// message. Valid until the next one.
 const char *report_last(void);
 
 #endif

@@ -1,5 +1,5 @@
-# replace.awk FILE - the file with the sentences replaced that replaced.txt lists for it; -v name=FILE as it is listed there,
-# -v list=replaced.txt. Fails if a sentence is not found.
+# replace.awk FILE - print the file with the sentences replaced that a list has for it. Variables: name, the file's name
+# in the list; list, the path of replaced.txt. Fails if a sentence is not found.
 BEGIN {
     while ((getline line < list) > 0)
         if (line !~ /^#/ && index(line, name " | ") == 1) {

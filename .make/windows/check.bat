@@ -1,7 +1,7 @@
 @echo off
 rem check.bat EXERCISE FILE - check a solution, for example: check.bat 03_2 my.frag
-rem You may drop a file on check.bat; it then asks for the exercise. Like make check, it compares pictures of the file and
-rem nine of its rays with those of the solution. Exit status: 0 right, 1 wrong, 2 if nothing could be compared.
+rem You may drop a file on check.bat; it then asks for the exercise. Like make check, it compares pictures and nine rays
+rem of the file with those of the solution. Exit status: 0 right, 1 wrong, 2 if nothing could be compared.
 setlocal
 set "exercise=%~1"
 set "given=%~2"
@@ -33,7 +33,7 @@ judge.exe right %shares% >"%folder%\said.txt"
 for /f "usebackq delims=" %%w in ("%folder%\said.txt") do echo "%given%": right: %%w
 goto end
 
-rem A line of the exercise. The first has what all pictures have in common, each other line describes one picture.
+rem A line of the exercise. The first line has what all pictures have in common; each other line describes one picture.
 :line
 if not %status%==0 goto :eof
 if defined program goto picture

@@ -1,5 +1,5 @@
-// glfw.c - the part of GLFW that the harness uses, over the canvas of a page, which is its only
-// window. Input that the page's script reports (canvas.h) goes to the harness's callbacks.
+// glfw.c - the part of GLFW that the harness uses, implemented on the canvas of a page, which is
+// the only window. Input that the page's script reports (canvas.h) goes to the harness's callbacks.
 //
 // Nothing waits here, because the page owns the loop. The clock is stopped while the page is
 // hidden.
@@ -41,14 +41,14 @@ struct GLFWcursor {
 static struct {
     struct GLFWwindow window;
     bool open, hidden, cleared, half, threads;
-    int size[2], pixels[2]; // of the canvas in the page's units, and of its drawing buffer
-    double hidden_at, away; // seconds: when it was last hidden, and for how long before that
-    const char *why;        // reason of the last failure
+    int size[2], pixels[2]; // of the canvas in the page's units; of its drawing buffer in pixels
+    double hidden_at, away; // seconds: when the page was last hidden, and how long before that
+    const char *why;        // reason for the last failure
 } web = {.size = {960, 540}, .pixels = {960, 540}, .why = ""};
 
 // ---- The functions of OpenGL ----
 
-// WebGL's own finish only flushes. Reading a pixel waits for everything that was drawn before it.
+// WebGL's own finish only flushes. Reading a pixel waits for everything that was drawn before.
 static void finish(void)
 {
     GLint target = 0;
@@ -58,7 +58,7 @@ static void finish(void)
 }
 
 // A browser clears the canvas before the first draw of a frame. A blit does not count as a draw, so
-// the overlay, which comes after it, would be drawn over black.
+// the canvas would be cleared only before the overlay is drawn, which is after the blit.
 static GLint drawn(void)
 {
     GLint target = 0;
@@ -82,7 +82,7 @@ static void blit(GLint left, GLint bottom, GLint right, GLint top, GLint to_left
     glBlitFramebuffer(left, bottom, right, top, to_left, to_bottom, to_right, to_top, mask, filter);
 }
 
-// A browser without the extension would answer that nothing is ever compiled.
+// A browser without KHR_parallel_shader_compile would report that no program is ever compiled.
 static void get_program(GLuint program, GLenum name, GLint *value)
 {
     if (name == GL_COMPLETION_STATUS_KHR && !web.threads)
@@ -91,7 +91,7 @@ static void get_program(GLuint program, GLenum name, GLint *value)
         glGetProgramiv(program, name, value);
 }
 
-// Every draw blends. If float targets cannot, half floats are used.
+// Every draw blends. If float targets do not blend, half floats are used.
 static void tex_image(GLenum target, GLint level, GLint form, GLsizei width, GLsizei height,
                       GLint border, GLenum format, GLenum type, const void *pixels)
 {
@@ -151,7 +151,7 @@ GLFWwindow *glfwCreateWindow(int width, int height, const char *title, GLFWmonit
 
 void glfwMakeContextCurrent(GLFWwindow *window)
 {
-    (void)window; // it always is
+    (void)window; // the context is always current
 }
 
 GLFWwindow *glfwGetCurrentContext(void)
@@ -283,7 +283,7 @@ void glfwSetWindowUserPointer(GLFWwindow *window, void *pointer)
     window->user = pointer;
 }
 
-// glfwSet...Callback: each sets a function and returns the previous one.
+// Each glfwSet...Callback sets a function and returns the previous one.
 #define WEB_CALLBACK(name, type, member)                                                           \
     type glfwSet##name##Callback(GLFWwindow *window, type callback)                                \
     {                                                                                              \
@@ -330,7 +330,7 @@ void glfwSetCursor(GLFWwindow *window, GLFWcursor *cursor)
     page_cursor(cursor != NULL ? cursor->shape : 0);
 }
 
-// The label of the reader's keyboard, if the browser provides it.
+// Return a key's label on the user's keyboard, or NULL if the browser does not provide it.
 const char *glfwGetKeyName(int key, int scancode)
 {
     static char label[16];
@@ -339,7 +339,7 @@ const char *glfwGetKeyName(int key, int scancode)
     return label[0] != '\0' ? label : NULL;
 }
 
-// A page gives its clipboard only to its own script, later.
+// A browser gives the clipboard only to the page's script, and only asynchronously.
 const char *glfwGetClipboardString(GLFWwindow *window)
 {
     (void)window;

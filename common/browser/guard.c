@@ -1,5 +1,5 @@
-// Replaces guard.c in a browser, whose driver runs in another process: if it crashes, the page gets
-// an event.
+// Replaces context/guard.c in a browser, whose driver runs in another process. If the driver
+// crashes, the page receives an event.
 #include "context/guard.h"
 
 void guard_process(void)

@@ -1,4 +1,5 @@
-// Replaces the reader and writer of PNG: the browser writes it, and there is no libpng.
+// Replaces the reader and writer of PNG files, because a page has no libpng. The browser writes
+// them.
 #include "picture/image.h"
 
 #include <stdio.h>
@@ -25,7 +26,7 @@ bool image_write_png(const struct image *image, const char *path)
     return true;
 }
 
-// Convert 16 bits to 8, rounded as libpng rounds them.
+// Convert 16-bit values to 8 bits, rounded as libpng rounds them.
 static void round_to_bytes(unsigned char *to, const stbi_us *from, size_t count)
 {
     for (size_t i = 0; i < count; i++)

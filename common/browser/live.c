@@ -29,15 +29,15 @@ static struct {
     int count;
     bool visits;  // the next main only visits its files
     bool begins;  // the next main only begins to compile
-    char *answer; // the last one
+    char *answer; // the last text that the page was given
 } live;
 
-// The reader's state while a lost context is restored.
+// The user's state while a lost context is restored.
 static struct {
     bool is;
-    struct window window; // for its inputs, ray and flags
+    struct window window; // of which inputs, ray and flags are restored
     enum shader_view view;
-    struct parameters parameters[2]; // of the picture, and of the second of a comparison
+    struct parameters parameters[2]; // of the picture, and of the second picture of a comparison
     double divider;
     struct strokes strokes;
 } kept;
@@ -52,8 +52,8 @@ static void forget(void)
 
 // ---- A command line ----
 
-// Split the first word off a line as a shell does, without its quotes. Returns the rest, or NULL if
-// there is no word.
+// Split the first word off a line as a shell does, removing the quotes. Returns the rest of the
+// line, or NULL if there is no word.
 static char *split_word(char *c, char **word)
 {
     c += strspn(c, " \t\n");
@@ -89,7 +89,7 @@ static bool split(const char *stem, const char *line)
         live.argument[live.count++] = word;
     }
     live.argument[live.count] = NULL;
-    platform_set("DISPLAY", "canvas", true); // without which context/glfw.c opens no window
+    platform_set("DISPLAY", "canvas", true); // without DISPLAY, context/glfw.c opens no window
     return true;
 }
 
@@ -98,7 +98,7 @@ static void add_file(void *json, const char *path)
     json_text(json, NULL, path);
 }
 
-// Called by a chapter's main instead of chapter_run.
+// A chapter's main calls this instead of chapter_run.
 int live_run(const struct chapter *chapter, int argc, char **argv)
 {
     live.chapter = *chapter;
@@ -121,7 +121,8 @@ static struct window *window(void)
     return live.run != NULL ? chapter_window(live.run) : NULL;
 }
 
-// The page shows the panel's words beside the picture; H shows the panel.
+// Run the chapter's main. The panel is hidden until H shows it, because the page shows the panel's
+// words beside the picture.
 static int start(void)
 {
     int status = live.program->main(live.count, live.argument);
@@ -187,7 +188,7 @@ int live_turn(void)
     return done;
 }
 
-// Move the reader's state out of the window.
+// Move the user's state out of the window.
 static void keep(const struct window *window)
 {
     struct renderer *first = window->renderer,
@@ -234,7 +235,7 @@ static void give_back(struct window *window)
 int live_restore(void)
 {
     if (window() != NULL) {
-        shader_forget(window()->renderer->gl); // they belonged to the lost context
+        shader_forget(window()->renderer->gl); // the shaders belonged to the lost context
         keep(window());
     }
     if (!kept.is)
@@ -274,7 +275,7 @@ const char *live_version(void)
     return live.answer;
 }
 
-// The parameter with a name of live_state, such as "factor (right)". Returns NULL if there is none.
+// Return the parameter with a name of live_state, such as "factor (right)", or NULL.
 static struct parameter *parameter(const char *name)
 {
     const struct renderer *renderer = window() != NULL ? window()->renderer : NULL;

@@ -1,5 +1,5 @@
-// page.js - the functions of page.h, for Emscripten's --js-library. The page may set onSize, onTitle, onCapture,
-// onCursor, onPicture and keyLabel of the module.
+// page.js - the functions of page.h, for Emscripten's --js-library. The page may define onSize, onTitle,
+// onCapture, onCursor, onPicture and keyLabel on the module.
 mergeInto(LibraryManager.library, {
     page_open_context__deps: ['$GL'],
     page_open_context: function () {

@@ -6,38 +6,38 @@
 #include "memory.h"
 #include "report.h"
 
-#define WORDS 64 // of a scene's command line
+#define WORDS 64 // elements of a scene's argv, including the final NULL
 
 struct scene {
-    int line;          // of the list
+    int line;          // its line number in the list
     int part;          // index of its part, from 1; 0 before the first one
-    const char *text;  // its options, as they are in the list
-    char *word[WORDS]; // argv, whose text is in words
+    const char *text;  // its line in the list: the chapter and the options
+    char *word[WORDS]; // argv; the strings are in words
     char *words;       // owned
     char *sentence;    // owned
     char *caption;     // its number and sentence, owned
-    struct run run;    // its options, and its pictures while they are compiled
+    struct run run;    // its options, and its pictures if they are compiled
     struct window_start start;
 };
 
 struct lecture {
     const char *path;
-    char *text;          // of the list, in which each line ends with '\0'
+    char *text;          // the list, in which each line ends with '\0'
     struct scene *scene; // owned
     int count;
-    const char **part; // names, owned
+    const char **part; // names, which are in text; the array is owned
     int parts;
     struct context context;
-    struct window *window; // NULL before it is open
+    struct window *window; // NULL until it is open
     int at;                // the scene that the speaker has reached
-    int shown;             // the scene that is shown, which is another if that one has failed
-    int tried;             // the last scene that was compiled ahead, or could not be
+    int shown;             // the scene that is shown; another one if scene at has failed
+    int tried;             // the last scene that compile_ahead has tried
 };
 
 // ---- The list ----
 
-// Split a scene's line into words as a shell does, without its quotes. Returns their number, or -1
-// after reporting the error.
+// Split a scene's line into words as a shell does, removing the quotes. Returns the number of
+// words, or -1 after reporting the error.
 static int split(struct scene *scene, char *to)
 {
     const char *from = scene->text;
@@ -65,7 +65,8 @@ static int split(struct scene *scene, char *to)
     return count;
 }
 
-// The chapter of a number or stem: "03", "3" or "03_shadows"; NULL after reporting the error.
+// Find the chapter of a number or stem: "03", "3" or "03_shadows". Returns NULL after reporting the
+// error.
 static const struct lecture_chapter *find(const struct lecture_chapter *chapters, int count,
                                           const char *name)
 {
@@ -120,7 +121,7 @@ static void add_scene(struct lecture *lecture, int line, const char *text)
 static bool add_sentence(struct lecture *lecture, const char *text)
 {
     if (lecture->count == 0)
-        return report("a sentence without a scene: a scene's line does not begin with a blank");
+        return report("a sentence without a scene: a scene's line must not begin with a blank");
     struct scene *scene = &lecture->scene[lecture->count - 1];
     char *before = scene->sentence;
     scene->sentence = before != NULL ? memory_text("%s %s", before, text) : memory_text("%s", text);
@@ -128,7 +129,7 @@ static bool add_sentence(struct lecture *lecture, const char *text)
     return true;
 }
 
-// Let messages begin with the list's name and this line.
+// Begin all further messages with the list's name and this line number.
 static void begin_line(const struct lecture *lecture, int line)
 {
     char place[1024];
@@ -224,8 +225,8 @@ static bool is_alike(const struct scene *a, const struct scene *b)
     return alike;
 }
 
-// Pass the pictures of a compiled scene with the same shaders and textures, if there is one, on to
-// another scene.
+// If another scene with the same shaders and textures is compiled, move its pictures to this
+// scene.
 static void take_pictures(struct lecture *lecture, struct scene *to)
 {
     for (int i = 0; i < lecture->count; i++) {
@@ -241,7 +242,7 @@ static void take_pictures(struct lecture *lecture, struct scene *to)
     }
 }
 
-// Read a scene's shaders again, with its values, and compile what has changed. Returns false after
+// Read a scene's shaders again, set its values, and compile what has changed. Returns false after
 // reporting the error with the scene's line.
 static bool compile(struct lecture *lecture, struct scene *scene)
 {
@@ -263,8 +264,8 @@ static bool draw_small(struct scene *scene)
     return renderer_draw(&scene->run.picture[0].renderer, &inputs, 0, inputs.height);
 }
 
-// Free the pictures of all scenes but the one that is shown, the last one before it with other
-// shaders, and the first one after it.
+// Free the pictures of all scenes but three: the one that is shown, and the nearest ones before and
+// after it that have other shaders.
 static void forget_far(struct lecture *lecture)
 {
     const struct scene *here = &lecture->scene[lecture->shown];
@@ -278,7 +279,7 @@ static void forget_far(struct lecture *lecture)
             loader_close(&lecture->scene[i].run.picture[k]);
 }
 
-// Compile the first scene ahead that has other shaders, once.
+// Compile the next scene that has other shaders, unless that has been tried before.
 static void compile_ahead(struct lecture *lecture)
 {
     int next = lecture->at;
@@ -338,7 +339,7 @@ struct window *lecture_window(const struct lecture *lecture)
     return lecture->window;
 }
 
-// The first scene of a part, or the present one if there is no such part.
+// Return the first scene of a part, or the current scene if there is no such part.
 static int first_of(const struct lecture *lecture, int part)
 {
     for (int i = 0; i < lecture->count; i++)

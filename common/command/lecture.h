@@ -1,7 +1,7 @@
-// lecture.h - the scenes of a list, one after the other in one window: the next scene is compiled
-// while the present one is shown.
+// lecture.h - show the scenes of a list one after another in one window. The next scene is compiled
+// while the current one is shown.
 //
-// A list is a text of lines:
+// A list is a text file with lines of these kinds:
 //
 //   == 0-5 An evening          a part of the lecture begins
 //   09 --set timeOfDay=17      a scene: a chapter's number or stem, and options as on its command
@@ -17,7 +17,7 @@
 // A chapter that a scene may name.
 struct lecture_chapter {
     const char *stem, *title;
-    struct camera camera; // where the eye starts
+    struct camera camera; // the initial view
     const struct sculpture_tool *tool;
 };
 
@@ -27,26 +27,27 @@ struct lecture;
 //   lecture          receives what lecture_close frees, whatever the status is
 //   path             of the list
 //   chapters, count  must outlive the lecture
-// Returns RUN_DONE, or after reporting the error RUN_NOT_DONE if a shader cannot be read, and
-// RUN_WRONG_COMMAND_LINE with the line for an unknown chapter, a wrong option, an option that is
-// not for a window, a quote without an end, a sentence without a scene, a list without scenes, or a
-// missing file.
+// Returns RUN_DONE. After reporting the error, returns RUN_NOT_DONE if a shader cannot be read, or
+// RUN_WRONG_COMMAND_LINE if the list is missing or has no scenes, or has an unknown chapter, a
+// wrong option, an option that is not for a window, an unclosed quote, or a sentence without a
+// scene. An error in a scene is reported with its line.
 int lecture_read(struct lecture **lecture, const char *path, const struct lecture_chapter *chapters,
                  int count);
 
 // Print the scenes, one per line, for the scripts that make slides: number, part, stem, the scene's
-// options and its sentence, separated by the character 31.
+// options and its sentence, separated by the character with code 31.
 void lecture_print(const struct lecture *lecture, FILE *file);
 
-// Fill the screen with the first scene. Returns the exit status so far, RUN_NO_WINDOW included.
+// Fill the screen with the first scene. Returns the exit status so far, which is RUN_NO_WINDOW if
+// no window can be opened.
 int lecture_open(struct lecture *lecture);
 
 // The window of the lecture, whose loop the caller runs; NULL before the lecture is open.
 struct window *lecture_window(const struct lecture *lecture);
 
-// Call it after each turn of the window. It shows the scene that the speaker has asked for or, in a
-// turn that draws nothing, compiles the next one. A scene that cannot be shown is reported, in the
-// window too, and the present one stays.
+// Call this after each turn of the window's loop. It shows the scene that the speaker has asked for
+// or, in a turn that draws nothing, compiles the next scene. If a scene cannot be shown, the error
+// is reported, in the window too, and the current scene stays.
 //   of  a struct lecture
 void lecture_follow(void *of);
 

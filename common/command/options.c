@@ -16,8 +16,8 @@ static bool refuse_unknown(const char *word, size_t length)
 }
 
 // Apply an option.
-//   text  its value in the same word, or NULL
-//   next  the words that follow; NULL ends them
+//   text  the value if it is in the same word as the option, otherwise NULL
+//   next  the words that follow, ended by NULL; a value that is the next word is skipped
 static bool apply(struct options *options, const struct options_row *row, const char *text,
                   char ***next)
 {
@@ -38,7 +38,7 @@ static bool apply(struct options *options, const struct options_row *row, const 
     return false;
 }
 
-// --name, --name=value
+// Read --name or --name=value.
 static bool read_name(struct options *options, const char *word, char ***next)
 {
     size_t length = strcspn(word, "=");
@@ -48,7 +48,7 @@ static bool read_name(struct options *options, const char *word, char ***next)
     return refuse_unknown(word, length);
 }
 
-// -a, -avalue, -abc
+// Read -a, -avalue or -abc.
 static bool read_letters(struct options *options, const char *letter, char ***next)
 {
     for (; *letter != '\0'; letter++) {
@@ -110,7 +110,8 @@ static bool check_ray(const struct options *options)
     if (options->walk && options->frames == 0)
         return report("--step walk: requires --frames N");
     if (options->walk && options->first_frame > 0)
-        return report("--step walk: requires --frames N: a part does not say how long the film is");
+        return report(
+            "--step walk: requires --frames N, because K-L does not tell how long the film is");
     if (options->frames > 0 && options->step >= 0)
         return report("--step %d: cannot be combined with --frames; use --step walk",
                       options->step);
@@ -134,7 +135,7 @@ static void set_defaults(struct options *options)
     }
 }
 
-// Check what the options require of each other.
+// Set the defaults, and check what the options require of each other.
 static bool complete(struct options *options)
 {
     bool film = options->frames > 0, paced = options->fps > 0.0;
@@ -166,8 +167,8 @@ static bool complete(struct options *options)
     else if (film && fabs(options->time) + options->frames / options->fps > OPTIONS_LIMIT)
         report("--frames: the last time must be between -1e9 and 1e9 seconds");
     else if (options->shadertoy && options->view != SHADER_PICTURE)
-        report("--print-shader=shadertoy: cannot be combined with --view %s: only the picture runs "
-               "there",
+        report("--print-shader=shadertoy: cannot be combined with --view %s: only the picture view "
+               "runs there",
                shader_view_name(options->view));
     else
         return check_probes(options) && check_ray(options);

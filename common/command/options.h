@@ -10,12 +10,12 @@
 #include "picture/sculpture.h"
 #include "shader/dialect.h"
 
-#define OPTIONS_SIZE_LIMIT    16384 // pixels, each way
+#define OPTIONS_SIZE_LIMIT    16384 // pixels of the width and of the height
 #define OPTIONS_SAMPLES_LIMIT 8     // samples along each side of a pixel
-#define OPTIONS_LIMIT         1e9   // of times and positions: beyond it a float has no fractions
+#define OPTIONS_LIMIT         1e9   // of times and camera values; floats near it are 64 apart
 
 enum options_action {
-    OPTIONS_RUN,          // a window, or a file, or a probe
+    OPTIONS_RUN,          // a window, a file, a probe or a benchmark
     OPTIONS_PRINT_SHADER, // --print-shader
     OPTIONS_LIST,         // --list
     OPTIONS_HELP,         // --help
@@ -30,52 +30,52 @@ struct options {
     bool compares;  // there is a second picture
     bool walk;      // --step walk: the pictures of --frames step along the ray
     bool has_from, has_divider, has_camera, has_overlay, has_time;
-    const char *output; // the PNG file to write, or NULL
-    int width, height;  // pixels, 1 to OPTIONS_SIZE_LIMIT
-    double time;        // seconds
-    int frames;         // pictures of the film, whose output contains one %d; 0 if there is no film
-    int first_frame;    // the first one to write; those before it are left out
-    double fps;         // pictures per second of time
-    int benchmark;      // frames to measure, or 0
-    bool json;          // --benchmark=json
+    const char *output;    // name of the PNG file, with one %d for a film; NULL if not given
+    int width, height;     // pixels, 1 to OPTIONS_SIZE_LIMIT
+    double time;           // seconds
+    int frames;            // 1 + the index of the last picture of the film; 0 if there is no film
+    int first_frame;       // index of the first picture to write
+    double fps;            // pictures per second of time
+    int benchmark;         // frames to measure, or 0
+    bool json;             // --benchmark=json
     const char **settings; // NAME=VALUE, in the order given; owned, see options_free
     int setting_count;
-    const char *compare;   // the second shader's file; NULL if it is that of the first
+    const char *compare;   // the second shader's file; NULL if it is the first shader's
     int shared_settings;   // the number of settings, from the first, that apply to both pictures
-    double divider;        // fraction of the width that the first picture has, 0 to 1
+    double divider;        // fraction of the width that the first picture fills, 0 to 1
     const char **textures; // NAME=FILE, in the order given; owned
     int texture_count;
     struct strokes strokes;  // --stroke, in the order given; owned
-    const char *channels[4]; // the files of Shadertoy's iChannel0 to 3, or NULL
+    const char *channels[4]; // the files of Shadertoy's iChannel0 to 3; NULL if not given
     struct camera camera;    // meaningful when has_camera
     int samples;             // 1 to OPTIONS_SAMPLES_LIMIT, along each side of a pixel
     enum shader_view view;
     int (*probe)[2];         // pixels, 0,0 bottom left; pictures show the ray of the last one
-    const char **probe_text; // as they were typed
+    const char **probe_text; // the pixels as they were typed
     int probe_count;
     enum context_backend backend;
-    double overlay;     // its scale; 0 if the height of the picture decides
+    double overlay;     // scale of the overlay; 0 if it depends on the picture's height
     int step;           // the last step of the ray's march that is shown, from 0; -1 for all
-    struct camera from; // where the ray of --probe starts; meaningful when has_from
+    struct camera from; // camera of the ray of --probe; meaningful when has_from
     const char *shader; // --shader, or NULL for the chapter's own
     const char *root;   // --root; NULL if it is found from the program's folder
 };
 
 // Read the command line: syntax, ranges, and what options require of each other. Names and ranges
 // of parameters are not checked, because only the shader knows them.
-//   options  receives it; the caller frees it with options_free
+//   options  receives the values; the caller frees them with options_free
 // Returns false after reporting the error in one line; the exit status is then 2.
 bool options_parse(struct options *options, int argc, char **argv);
 
 // Free what options_parse allocated.
 void options_free(struct options *options);
 
-// One option, as help prints it. A value after a blank is required; one in brackets is optional,
-// and one in brackets after a blank is a word of its own that does not begin with '-'. An empty
-// default is not printed.
+// One option, as --help prints it. A value after a blank is required. A value in brackets is
+// optional; if a blank precedes the bracket, the value is a separate word that does not begin with
+// '-'. An empty default is not printed.
 struct options_row {
     const char *letter, *name, *value;
-    // Sets the value; text is NULL if it is omitted. Returns false after reporting the error.
+    // Set the value; text is NULL if the value is omitted. Returns false after reporting the error.
     // An option that has only an action has NULL here.
     bool (*set)(struct options *options, const char *text);
     enum options_action action;
@@ -85,9 +85,9 @@ struct options_row {
 // All options, ended by a row of zeros (options_table.c).
 extern const struct options_row options_rows[];
 
-// The text of --help (options_help.c).
+// Print the text of --help (options_help.c).
 //   program       argv[0]
-//   title, shows  of the chapter
+//   title, shows  the chapter's
 void options_print_help(FILE *file, const char *program, const char *title, const char *shows);
 
 #endif

@@ -30,7 +30,7 @@ static const char ending[] =
 
 void options_print_help(FILE *file, const char *program, const char *title, const char *shows)
 {
-    const int width = 30; // of the longest option
+    const int width = 30; // characters of the longest option
     fprintf(file, "Usage: %s [OPTION]...\n\n%s\n%s\n\n", program, title, shows);
     fprintf(file, "Without --output, --probe or --benchmark, a window opens.\n\n");
     for (const struct options_row *row = options_rows; row->name != NULL; row++) {

@@ -13,7 +13,7 @@
 #include "report.h"
 #include "command/sequence.h"
 
-// Report what an option's value must be.
+// Report what is expected of an option's value.
 __attribute__((format(printf, 3, 4))) static bool refuse(const char *option, const char *text,
                                                          const char *format, ...)
 {
@@ -25,7 +25,7 @@ __attribute__((format(printf, 3, 4))) static bool refuse(const char *option, con
     return report("--%s '%s': %s", option, text, expected);
 }
 
-// Read two whole numbers with a separator between them; those beyond every range become +-1e9.
+// Read two whole numbers with a separator between them. Values beyond +-1e9 become +-1e9.
 static bool read_pair(const char *text, char separator, int pair[2])
 {
     for (int i = 0; i < 2; i++) {
@@ -165,7 +165,7 @@ static bool set_from(struct options *options, const char *text)
     return read_camera("from", text, &options->from);
 }
 
-// A step's number, or the word walk.
+// Read the index of a step, or the word walk.
 static bool set_step(struct options *options, const char *text)
 {
     options->walk = strcmp(text, "walk") == 0;
@@ -197,7 +197,7 @@ static bool set_frames(struct options *options, const char *text)
     if (!number_read_int(dash + 1, 0, SEQUENCE_FRAMES_LIMIT - 1, &options->frames) ||
         !number_read_int(first, 0, options->frames, &options->first_frame))
         return refuse("frames", text,
-                      "a part of a film is its first and its last picture, counted from 0 to %d, "
+                      "must be the first and the last picture of a part, counted from 0 to %d, "
                       "as in 100-199",
                       SEQUENCE_FRAMES_LIMIT - 1);
     options->frames++;
@@ -211,7 +211,7 @@ static bool set_fps(struct options *options, const char *text)
                   number_hint(text));
 }
 
-// A number of frames, or the word json; the option may be given twice, for both.
+// Read a number of frames, or the word json. The option may be given twice to set both.
 static bool set_benchmark(struct options *options, const char *text)
 {
     bool json = strcmp(text, "json") == 0;
@@ -302,13 +302,13 @@ const struct options_row options_rows[] = {
     {"", "from", " X,Y,Z,PAN,TILT", set_from, OPTIONS_RUN,
      "camera of the ray of --probe; --camera looks at that ray", "--camera"},
     {"", "overlay", "[=SCALE]", set_overlay, OPTIONS_RUN,
-     "scale of the overlay, 0.5 to 8; draws it into a file too", "by the picture's height"},
+     "scale of the overlay, 0.5 to 8; draws it into a file too", "depends on the picture's height"},
     {"-b,", "backend", " NAME", set_backend, OPTIONS_RUN, "glfw, egl or osmesa",
      "glfw for a window; egl, osmesa, glfw for a file"},
     {"-f,", "shader", " FILE", set_shader, OPTIONS_RUN,
      "run this fragment shader instead of the chapter's", ""},
     {"", "compare", " [FILE]", set_compare, OPTIONS_RUN,
-     "second shader beside the first; --set after this is only for it", ""},
+     "second shader beside the first; --set after this applies only to it", ""},
     {"", "divider", " FRACTION", set_divider, OPTIONS_RUN,
      "where the second picture of --compare begins, 0 to 1", "0.5"},
     {"", "root", " DIR", set_root, OPTIONS_RUN, "the project's folder",

@@ -86,7 +86,7 @@ bool run_find_shader(struct run *run)
     return report("%.40s...: the path of the shader is too long", run->shader);
 }
 
-// Read one of the shaders and give its parameters their values.
+// Read one of the shaders and set the values of its parameters.
 static int read_shader(struct run *run, int number, const char *path)
 {
     const struct options *options = &run->options;
@@ -100,7 +100,7 @@ static int read_shader(struct run *run, int number, const char *path)
     picture->request.channels = options->channels;
     if (!loader_read(picture))
         return RUN_NOT_DONE;
-    // A texture or a channel that the second shader does not have is left out.
+    // A texture or a channel that the second shader does not have is ignored.
     if (number == 0 && !samplers_fit(&picture->parameters.samplers, &picture->source))
         return RUN_WRONG_COMMAND_LINE;
     for (int i = first; i < end; i++)

@@ -17,14 +17,14 @@ enum { RUN_DONE = 0, RUN_NOT_DONE = 1, RUN_WRONG_COMMAND_LINE = 2, RUN_NO_WINDOW
 
 // A run of zeros is closed.
 struct run {
-    const char *stem;                  // of the chapter
-    const struct sculpture_tool *tool; // of the chapter, or NULL
-    const char *title; // of the chapter, or the name of the file that runs instead of its shader
+    const char *stem;                  // the chapter's stem
+    const struct sculpture_tool *tool; // the chapter's tool, or NULL
+    const char *title; // the chapter's title, or the name of the file given with --shader
     struct options options;
     char root[PLATFORM_PATH];     // the project's folder
     char shader[PLATFORM_PATH];   // the shader to run
-    struct loader picture[2];     // the second one only with --compare
-    struct comparison comparison; // of the two
+    struct loader picture[2];     // the second picture exists only with --compare
+    struct comparison comparison; // of the two pictures
     struct context context;
     struct window_start start;
     struct window *window; // NULL without a window
@@ -40,8 +40,9 @@ void run_close(struct run *run);
 
 // ---- Files ----
 
-// Find the project's folder: --root, or the nearest folder above the program that has shaders/, so
-// that programs run from any directory. Returns false after reporting the error.
+// Find the project's folder: --root, or the nearest folder above the program that contains
+// shaders/screen.vert, so that programs run from any directory. Returns false after reporting the
+// error.
 bool run_find_root(struct run *run);
 
 // Find the shader, once the root is known. Returns false after reporting the error.
@@ -51,17 +52,17 @@ bool run_find_shader(struct run *run);
 // the exit status.
 int run_read_shaders(struct run *run);
 
-// Let the driver begin to compile the shaders that were read; shader_ready tells when run_compile
+// Have the driver start compiling the shaders that were read; shader_ready tells when run_compile
 // no longer has to wait. Returns false after reporting the error.
 bool run_begin(struct run *run, const struct gl *gl);
 
 // Compile the shaders that were read, and put the second picture beside the first. A renderer that
-// is open already is kept, and a shader that it has is not compiled again.
+// is already open is kept, and a shader that it already has is not compiled again.
 //   gl  must outlive the run
 // Returns false after reporting the error.
 bool run_compile(struct run *run, const struct gl *gl);
 
-// What a window of this run opens with; it points into the run.
+// Return the initial state of this run's window. The state points into the run.
 struct window_start run_window_start(struct run *run);
 
 // Check before rendering that each file of --output can be written and that this run does not read
@@ -69,23 +70,23 @@ struct window_start run_window_start(struct run *run);
 // error.
 bool run_check_targets(const struct run *run);
 
-// The exit status of a program that ends with this one: it is RUN_NOT_DONE, after a report, if some
-// output could not be written.
+// Return the exit status of the program: status, or RUN_NOT_DONE if some output could not be
+// written. The error is reported, unless the reader of a pipe has closed it.
 int run_end(int status);
 
 // ---- Without a window (run_still.c) ----
 
-// The inputs of a command line's picture. No clock is read: a picture is a function of its options
-// alone.
+// Return the inputs for the picture of a command line. No clock is read, so the picture is a
+// function of its options alone.
 struct renderer_inputs run_still_inputs(const struct options *options);
 
-// Set where the ray of --probe starts, if that is not at the camera.
+// If --from is given, set the eye from which the ray of --probe starts.
 //   eye  must outlive the inputs
 void run_start_ray(const struct options *options, const struct renderer *renderer,
                    struct renderer_inputs *inputs, struct renderer_eye *eye);
 
 // Draw a picture with its overlay or its labels. The caller frees image.
-//   probe  of the pixel that --probe names, or NULL
+//   probe  the march of the pixel that --probe names, or NULL
 // Returns false after reporting the error.
 bool run_draw(struct run *run, const struct renderer_inputs *inputs, const struct probe *probe,
               struct image *image);

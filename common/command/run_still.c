@@ -9,8 +9,8 @@
 #include "report.h"
 #include "command/sequence.h"
 
-// The fraction of a film during which it waits at the first step of a march. At the last one it
-// waits twice as long.
+// The fraction of a film during which it pauses at the first step of a march. It pauses at the last
+// step for twice as long.
 #define WALK_WAIT 0.06
 
 // Add the overlay, or only the labels of a comparison, to a picture that is about to be written.
@@ -84,8 +84,8 @@ void run_start_ray(const struct options *options, const struct renderer *rendere
     inputs->eye = options->has_from ? eye : NULL;
 }
 
-// March the ray that the pictures show. Reports an error and returns false if --step is beyond its
-// end.
+// March the ray that the pictures show. Returns false after reporting the error, such as a --step
+// beyond the end of the march.
 static bool march_shown(struct run *run, const struct renderer_inputs *inputs, struct probe *probe)
 {
     int x = inputs->pixel[0] < 0 ? inputs->width / 2 : inputs->pixel[0];
@@ -98,8 +98,8 @@ static bool march_shown(struct run *run, const struct renderer_inputs *inputs, s
                   run->options.step, x, y, probe_rows(probe));
 }
 
-// The number of steps that picture i of n shows, from the first to the last. The film waits at both
-// ends, so that a reader sees where it begins again.
+// Return the number of steps that picture i of n shows. The film pauses at the first and the last
+// step, so that a viewer sees where it begins again.
 static float shown_of(int i, int n, int steps)
 {
     double time = n > 1 ? (double)i / (n - 1) : 1.0;
@@ -107,7 +107,7 @@ static float shown_of(int i, int n, int steps)
     return (float)(1.0 + walked * (steps > 0 ? steps - 1 : 0));
 }
 
-// The pictures of --frames.
+// Write the pictures of --frames.
 static bool write_frames(struct run *run, struct renderer_inputs inputs)
 {
     const struct options *options = &run->options;
@@ -118,7 +118,7 @@ static bool write_frames(struct run *run, struct renderer_inputs inputs)
     for (int i = first; i < options->frames && done; i++) {
         sequence_progress(i - first, count);
         inputs.frame = i;
-        // The steps of a walk belong to one march, so its time is fixed.
+        // The steps of a walk belong to one march, so the time is fixed.
         inputs.time = options->time + (options->walk ? 0.0 : i / options->fps);
         inputs.date[3] = (float)inputs.time;
         inputs.rate = options->fps;
@@ -134,7 +134,7 @@ static bool write_frames(struct run *run, struct renderer_inputs inputs)
     return done;
 }
 
-// The tables of --probe and the picture of --output.
+// Print the tables of --probe and write the picture of --output.
 static bool write_still(struct run *run, const struct renderer_inputs *inputs)
 {
     const struct options *options = &run->options;

@@ -6,8 +6,8 @@
 #include "platform.h"
 #include "report.h"
 
-// The end of the conversion that begins at a '%', or NULL if it is not allowed.
-//   width  receives the number of digits, or 0
+// Return the end of the conversion that begins at a '%', or NULL if the conversion is not allowed.
+//   width  receives the least number of digits; 0 for %d
 static const char *conversion_end(const char *c, int *width)
 {
     *width = 0;

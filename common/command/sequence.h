@@ -1,4 +1,4 @@
-// sequence.h - a film as a sequence of pictures: their file names, and the progress.
+// sequence.h - a film as a sequence of pictures: their file names and the progress of writing them.
 #ifndef SEQUENCE_H
 #define SEQUENCE_H
 
@@ -10,11 +10,11 @@
 // True if a name contains one conversion, %d or %0Wd with W from 1 to 9, and no other '%'.
 bool sequence_is_name(const char *name);
 
-// The name of one picture.
-//   name    for which sequence_is_name is true
+// Make the file name of one picture.
+//   name    a name for which sequence_is_name is true
 //   number  from 0
 //   path    receives the name with the number instead of the conversion, at most size bytes
-// Reports an error and returns false if it is too long.
+// Returns false after reporting the error if the new name is too long.
 bool sequence_path(const char *name, int number, char *path, size_t size);
 
 // Print how many pictures are done, on standard error if that is a terminal. The cursor stays at

@@ -8,8 +8,8 @@
 #include "memory.h"
 #include "report.h"
 
-// The drivers that were built in, in the order in which CONTEXT_ANY tries them for a file: those
-// that need no display come first.
+// The built-in drivers in the order in which CONTEXT_ANY tries them for rendering without a window.
+// Those that need no display come first.
 static const struct context_driver *const drivers[] = {
 #ifdef HAVE_EGL
     &context_driver_egl,
@@ -65,8 +65,8 @@ bool gl_load(struct gl *gl, gl_function (*find)(const char *name))
                                      missing);
 }
 
-// Checked before the table is loaded, so that the message about an old driver names its version,
-// not the first function that it lacks.
+// The version is checked before the table is loaded, so that the message about an old driver names
+// its version, not the first function that it lacks.
 static bool version_suffices(const struct context_driver *driver, char why[CONTEXT_WHY])
 {
     const GLubyte *(*get)(GLenum) = (const GLubyte *(*)(GLenum))driver->find("glGetString");
@@ -98,7 +98,8 @@ static bool load(struct context *context)
     return false;
 }
 
-// A driver that is told to load an unknown driver of its own may crash before it says anything.
+// If GALLIUM_DRIVER names a driver that Mesa does not have, Mesa may crash before it prints a
+// message.
 static void guard_driver(const char *backend)
 {
     const char *name = getenv("GALLIUM_DRIVER");

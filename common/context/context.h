@@ -7,23 +7,24 @@
 
 #include "context/gl.h"
 
-#define CONTEXT_WHY 512 // size of a phrase, bytes
+#define CONTEXT_WHY 512 // bytes of a phrase that explains a failure
 
 enum context_backend { CONTEXT_ANY, CONTEXT_GLFW, CONTEXT_EGL, CONTEXT_OSMESA };
 
-// A backend: glfw.c, egl.c, osmesa.c. One is absent if make did not find its library.
+// A backend: glfw.c, egl.c or osmesa.c. A backend whose library make did not find is absent.
 struct context_driver {
     enum context_backend backend;
     const char *name; // "glfw", "egl", "osmesa"
     // Make a 3.3 core context current, with nothing on the screen. Returns the backend's own state,
-    // or NULL and one phrase in why: what was tried, what the library answered.
+    // or NULL after writing one phrase to why: what was tried and what the library answered.
     void *(*open_offscreen)(char why[CONTEXT_WHY]);
-    // Do the same with a visible, resizable window, whose handle is the state. A backend that has
-    // no windows has NULL here.
+    // Do the same with a visible, resizable window, whose handle is the state. A backend that
+    // cannot open windows has NULL here.
     //   width, height  in screen coordinates
     void *(*open_window)(const char *title, int width, int height, char why[CONTEXT_WHY]);
     gl_function (*find)(const char *name);
-    // The backend's own platform that was chosen ("surfaceless"); NULL if it has only one.
+    // Return the platform that the backend chose, such as "surfaceless". A backend with only one
+    // platform has NULL here.
     const char *(*platform)(const void *state);
     void (*close)(void *state);
 };
@@ -34,31 +35,32 @@ struct GLFWwindow;
 
 struct context {
     const struct context_driver *driver;
-    void *state;               // the backend's own, freed by context_close
+    void *state;               // the backend's own state, freed by context_close
     struct GLFWwindow *window; // the visible window, or NULL if there is none
     struct gl gl;              // the functions of this context
 };
 
-// Open a context without a window, which draws into targets of its own.
+// Open a context without a visible window, for drawing into off-screen targets.
 //   wanted   CONTEXT_ANY tries egl, then osmesa, then a hidden glfw window
-// If none of them can be opened, reports in one line why each failed, and returns false.
+// If no context can be opened, reports in one line why each backend failed, and returns false.
 bool context_open_offscreen(struct context *context, enum context_backend wanted);
 
 // Open a visible, resizable window with a current context.
 //   wanted         CONTEXT_ANY or CONTEXT_GLFW; no other backend can show a window
 //   width, height  in screen coordinates; on a high-density display the framebuffer is larger
-// Returns false after reporting the error, such as a missing display or OpenGL 3.3.
+// Returns false after reporting the error, such as no display or no OpenGL 3.3.
 bool context_open_window(struct context *context, enum context_backend wanted, const char *title,
                          int width, int height);
 
-// Destroy what context_open_* made. A context of zeros is allowed.
+// Destroy a context that context_open_* made. A context of zeros is allowed.
 void context_close(struct context *context);
 
-// One line: "egl (surfaceless), OpenGL 3.3 (Core Profile) Mesa 22.3.6, llvmpipe (...)".
+// Describe the context in one line of at most size bytes, such as
+// "egl (surfaceless), OpenGL 3.3 (Core Profile) Mesa 22.3.6, llvmpipe (...)".
 void context_describe(const struct context *context, char *text, size_t size);
 
-// Find the backend of a name from the command line. Returns false without reporting an error if it
-// is unknown.
+// Find the backend of a name from the command line. Returns false without reporting an error if the
+// name is unknown.
 bool context_backend_from_name(const char *name, enum context_backend *backend);
 
 #endif

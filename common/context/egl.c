@@ -19,7 +19,7 @@ struct egl_state {
     char platform[32];  // "surfaceless", "device 0", "default display"
 };
 
-// True if a list of words separated by spaces contains the whole word. NULL is an empty list.
+// True if a list of words separated by spaces contains this word. NULL is an empty list.
 static bool has_word(const char *list, const char *word)
 {
     size_t length = strlen(word);
@@ -47,7 +47,7 @@ static const char *make_surface(struct egl_state *state, EGLConfig config)
     return state->surface == EGL_NO_SURFACE ? "eglCreatePbufferSurface" : NULL;
 }
 
-// Make a 3.3 core context of an initialised display current.
+// Create a 3.3 core context on an initialised display and make it current.
 // Returns NULL, or the name of the step that failed.
 static const char *make_current(struct egl_state *state)
 {
@@ -116,7 +116,7 @@ static bool try_devices(struct egl_state *state, char why[CONTEXT_WHY],
     return false;
 }
 
-// Platforms that need no display come first. Each adds to why the step that failed.
+// Try the platforms, beginning with those that need no display. Each failed step is added to why.
 static bool try_platforms(struct egl_state *state, char why[CONTEXT_WHY])
 {
     const char *extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
@@ -136,7 +136,7 @@ static bool try_platforms(struct egl_state *state, char why[CONTEXT_WHY])
 static void *open_offscreen(char why[CONTEXT_WHY])
 {
     struct egl_state *state = memory_zeros(1, sizeof *state);
-    // Otherwise Mesa prints lines of its own about each platform that it cannot use.
+    // Otherwise Mesa prints messages about each platform that it cannot use.
     platform_set("EGL_LOG_LEVEL", "fatal", false);
     if (try_platforms(state, why))
         return state;

@@ -1,8 +1,8 @@
 // gl.h - the OpenGL functions that this program uses, in one table that the backend fills.
 //
-// All calls go through the table (gl->DrawArrays), never to a linked libGL: libOSMesa exports the
-// same names, and two backends may follow each other in one process. The list has only what OpenGL
-// 3.3 core and OpenGL ES 3.0 share.
+// All calls go through the table (gl->DrawArrays), never to a linked libGL, because libOSMesa
+// exports the same names, and one process may use two backends in turn. The table contains only
+// functions that OpenGL 3.3 core and OpenGL ES 3.0 share.
 #ifndef GL_H
 #define GL_H
 
@@ -10,10 +10,10 @@
 
 #include "context/opengl.h"
 
-// How a shader's text begins, how the driver's version is read, and the version that is needed. A
-// browser has OpenGL ES, whose fragment shaders have no default precision for floats, and one for
-// samplers that is too low for a table of numbers.
-//   directives  those that must come first, each with its line end, or ""
+// The beginning of a shader's text, the format of the driver's version, and the version that is
+// needed. A browser offers OpenGL ES, whose fragment shaders have no default precision for float
+// and sampler3D, and whose default precision for sampler2D is too low for a table of numbers.
+//   directives  preprocessor directives that must come first, each with its line end; may be ""
 #ifdef __EMSCRIPTEN__
 #define GL_IS_ES 1
 #define GL_GLSL_WITH(directives)                                                                   \
@@ -100,7 +100,7 @@ enum { GL_NEEDED_MAJOR = 3, GL_NEEDED_MINOR = 3 };
     X(void, VertexAttribPointer, (GLuint, GLint, GLenum, GLboolean, GLsizei, const void *)) \
     X(void, Viewport, (GLint, GLint, GLsizei, GLsizei))
 
-// Functions that OpenGL ES 3.0 lacks: they are looked up where they are used.
+// Functions that OpenGL ES 3.0 lacks. They are looked up where they are used.
 #define GL_TIMER_FUNCTIONS(X) \
     X(void, BeginQuery, (GLenum, GLuint)) \
     X(void, DeleteQueries, (GLsizei, const GLuint *)) \
@@ -109,7 +109,7 @@ enum { GL_NEEDED_MAJOR = 3, GL_NEEDED_MINOR = 3 };
     X(void, GetQueryObjectui64v, (GLuint, GLenum, GLuint64 *))
 // clang-format on
 
-// A function of any type, to be cast to its own before a call.
+// A pointer to a function of any type, to be cast to the function's real type before a call.
 typedef void (*gl_function)(void);
 
 struct gl {
@@ -120,7 +120,8 @@ struct gl {
 };
 
 // Fill the table for the current context.
-//   find  the backend's lookup: takes "glDrawArrays", returns NULL for a function that it lacks
+//   find  the backend's lookup, which takes a name such as "glDrawArrays" and returns NULL if the
+//         driver lacks the function
 // If a function is missing, reports the name of the first one and returns false.
 bool gl_load(struct gl *gl, gl_function (*find)(const char *name));
 

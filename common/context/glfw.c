@@ -7,9 +7,9 @@
 
 #include "platform.h"
 
-#define HIDDEN_SIZE 16 // pixels; pictures are drawn into targets of our own
+#define HIDDEN_SIZE 16 // pixels; pictures are drawn into off-screen targets
 
-// GLFW's reason for its last failure, whose text lives only until glfwTerminate.
+// Describe GLFW's last error, whose text is valid only until glfwTerminate.
 static void last_error(char why[CONTEXT_WHY], const char *step)
 {
     const char *text = NULL;
@@ -21,7 +21,7 @@ static void last_error(char why[CONTEXT_WHY], const char *step)
 static bool initialise(bool visible, char why[CONTEXT_WHY])
 {
     enum platform_display display = platform_display();
-    // GLFW would first try libwayland, which may print a line of its own.
+    // Without this check, GLFW would try libwayland first, which may print a message.
     if (display == PLATFORM_NO_DISPLAY) {
         snprintf(why, CONTEXT_WHY, "no display: DISPLAY and WAYLAND_DISPLAY are not set");
         return false;
@@ -49,10 +49,10 @@ static GLFWwindow *open_window(bool visible, const char *title, int width, int h
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE); // macOS has no other core profile
     glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
-    // Without a depth buffer, llvmpipe copies into a window several times as fast.
+    // Without a depth buffer, llvmpipe copies frames into a window several times as fast.
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    // If a screen coordinate is a pixel, a window on a high-density display has more of them.
+    // Where a screen coordinate is one pixel, GLFW enlarges a window on a high-density display.
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, visible ? GLFW_TRUE : GLFW_FALSE);
     GLFWwindow *window = glfwCreateWindow(width, height, title, NULL, NULL);
     if (window != NULL) {

@@ -6,9 +6,9 @@
 
 #include "platform.h"
 
-#define MEMORY_MOST 4e9 // bytes that a driver may take for one program
+#define MEMORY_MOST 4e9 // further bytes that a driver may use to compile a shader
 
-static char message[1024]; // if the driver crashes
+static char message[1024]; // printed if the driver crashes
 
 void guard_forget_caches(void)
 {

@@ -2,23 +2,23 @@
 #ifndef GUARD_H
 #define GUARD_H
 
-// Call before a driver is opened: if its shader cache, a file mapped into memory, loses its disk,
-// the program ends with status 1 and one line. So does a driver that crashes where the memory of
-// the process is limited.
+// Call before opening a driver. The program then ends with status 1 and one line if the driver's
+// shader cache, a file mapped into memory, can no longer be accessed because its disk is full, or
+// if the driver crashes while the memory of the process is limited.
 void guard_process(void);
 
-// Call before a driver is opened: it compiles every shader, without its cache.
+// Call before opening a driver. The driver then compiles every shader without its cache.
 void guard_forget_caches(void);
 
 // From guard_begin to guard_end, a driver that crashes ends the program with status 1 and one line.
-//   format  as printf's, without a final newline: what failed and what to do
+//   format  what failed and what to do, as a printf format without a final newline
 void guard_begin(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void guard_end(void);
 
-// Between guard_begin and guard_end: limit the driver to 4 GB more than the process has. A driver
-// that runs into the limit crashes with one line, whereas a machine without memory hangs. Only for
-// software drivers: those of graphics cards reserve far more. If the system does not say how much
-// memory the process has, there is no limit.
+// Call between guard_begin and guard_end: limit the process to 4 GB more memory than it has now. A
+// driver that exceeds the limit crashes, and the program ends with one line, whereas a machine
+// without memory hangs. This is only for software drivers, because those of graphics cards reserve
+// far more. If the system does not say how much memory the process has, there is no limit.
 void guard_memory(void);
 
 #endif

@@ -1,6 +1,6 @@
 // opengl.h - the types and constants of OpenGL 3.3 that this program uses. A Mac has no
-// <GL/glcorearb.h>, and on Windows it includes <windows.h>, whose macros clash with our names.
-// tests/course/house.sh compares them with Khronos' header.
+// <GL/glcorearb.h>, and on Windows that header includes <windows.h>, whose macros clash with our
+// names. tests/course/house.sh compares these types and constants with Khronos' header.
 //
 // Names and values are those of the Khronos registry,
 // https://github.com/KhronosGroup/OpenGL-Registry (Copyright 2013-2020 The Khronos Group Inc.,

@@ -7,8 +7,8 @@
 
 #include "memory.h"
 
-// The library is opened with dlopen, so that a program starts without it. This is the part of
-// GL/osmesa.h that we need, which includes GL/gl.h.
+// The library is opened with dlopen, so that a program starts even where the library is missing.
+// These constants are copied from GL/osmesa.h, which would include GL/gl.h.
 #define OSMESA_FORMAT                0x22
 #define OSMESA_DEPTH_BITS            0x30
 #define OSMESA_PROFILE               0x33
@@ -18,7 +18,7 @@
 
 typedef struct osmesa_context *osmesa_handle;
 
-#define BUFFER_SIDE 16 // pixels; pictures are drawn into targets of our own
+#define BUFFER_SIDE 16 // pixels; pictures are drawn into off-screen targets
 
 // The library. It stays open until the program ends, because Mesa's threads run its code.
 static struct {
@@ -32,7 +32,7 @@ static struct {
 
 struct osmesa_state {
     osmesa_handle handle;
-    unsigned char buffer[BUFFER_SIDE * BUFFER_SIDE * 4]; // Mesa keeps a pointer to it
+    unsigned char buffer[BUFFER_SIDE * BUFFER_SIDE * 4]; // Mesa keeps a pointer to this buffer
 };
 
 static bool open_library(char why[CONTEXT_WHY])
@@ -54,7 +54,7 @@ static bool look_up(const char *name, void *function, char why[CONTEXT_WHY])
     void *symbol = dlsym(osmesa.library, name);
     memcpy(function, &symbol, sizeof symbol);
     if (symbol == NULL)
-        snprintf(why, CONTEXT_WHY, "%s is missing in libOSMesa: it is too old", name);
+        snprintf(why, CONTEXT_WHY, "libOSMesa is too old: it lacks %s", name);
     return symbol != NULL;
 }
 

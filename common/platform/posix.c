@@ -45,7 +45,7 @@ char *platform_resolve(const char *path)
     return realpath(path, NULL);
 }
 
-// O_NONBLOCK, so that a fifo which replaces the file in this moment does not hang the program.
+// O_NONBLOCK prevents the program from hanging if a FIFO replaces the file after it was looked at.
 FILE *platform_open(const char *path)
 {
     struct platform_file file;
@@ -70,8 +70,8 @@ bool platform_close_text(FILE *stream)
 
 // ---- Files that are written ----
 
-// Follow the links of a path's last name, even to a missing file, because a rename would replace
-// the link itself. Returns 0 or an errno.
+// Follow the links in the last component of a path, even to a missing file, because a rename would
+// replace the link itself. Returns 0 or an errno.
 static int follow_links(const char *path, char target[PLATFORM_PATH])
 {
     char text[PLATFORM_PATH], joined[PLATFORM_PATH];
@@ -98,7 +98,7 @@ static const char *kind_of(mode_t mode)
            : S_ISBLK(mode)  ? "a block device"
            : S_ISFIFO(mode) ? "a pipe"
            : S_ISSOCK(mode) ? "a socket"
-                            : "no regular file";
+                            : "not a regular file";
 }
 
 static bool refuse(char why[PLATFORM_WHY], const char *phrase)
@@ -117,7 +117,7 @@ static bool may_replace(const char *path, mode_t mode, char why[PLATFORM_WHY])
     return false;
 }
 
-// The length of the folder of a path, including its last /; 0 if there is none.
+// Return the length of a path's folder, including the last /, or 0 if the path has no folder.
 static int folder_length(const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -166,8 +166,9 @@ static int write_and_close(int file, const char *data, size_t size)
     return close(file) != 0 && error == 0 ? errno : error;
 }
 
-// Create a file with a new name. mkstemp would let only its owner read it, and the umask cannot be
-// read without changing it.
+// Create a file with a new name in the target's folder. mkstemp would create a file that only its
+// owner may read, and the umask cannot be read without changing it. Returns -1 with errno on
+// failure.
 static int create_beside(const char *target, char name[PLATFORM_PATH + 64])
 {
     int file = -1;
@@ -179,7 +180,7 @@ static int create_beside(const char *target, char name[PLATFORM_PATH + 64])
     return file;
 }
 
-// Write a new file beside the target and rename it. Returns 0 or an errno; then no file is left.
+// Write a new file beside the target and rename it. Returns 0, or an errno and leaves no new file.
 static int replace(const char *target, const char *data, size_t size)
 {
     char name[PLATFORM_PATH + 64];
@@ -194,8 +195,8 @@ static int replace(const char *target, const char *data, size_t size)
     return error;
 }
 
-// A signal that ends the program waits until the file is complete, and the signal of a file size
-// limit becomes an error of write().
+// A signal that ends the program waits until the file is complete. The signal of a file size limit
+// is ignored, so that write() fails instead.
 int platform_replace(const char *target, const char *data, size_t size)
 {
     struct sigaction ignore = {.sa_handler = SIG_IGN}, before;

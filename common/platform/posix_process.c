@@ -69,7 +69,7 @@ void platform_watch_short_memory(const char *words)
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
         return;
     sigaction(SIGSEGV, &action, NULL);
-    sigaction(SIGABRT, &action, NULL); // LLVM's C++ aborts, and prints two lines first
+    sigaction(SIGABRT, &action, NULL); // LLVM prints two lines and aborts
 }
 
 void platform_limit_memory(double more)

@@ -1,6 +1,6 @@
-// platform.h for Windows: files, the program, its environment. It uses the system's own calls:
-// those of its C library know neither UTF-8 nor a rename that replaces a file, and they prevent
-// other programs from replacing a file that is open. Paths have '/' between their parts.
+// platform.h for Windows: files, the program, its environment. It uses the system's own calls,
+// because those of its C library support neither UTF-8 nor a rename that replaces a file, and they
+// prevent other programs from replacing a file that is open. Paths have '/' between their parts.
 #include "platform.h"
 
 #include <errno.h>
@@ -13,20 +13,21 @@
 #include <windows.h>
 
 enum {
-    TRIES = 20,     // while another program, such as an editor or a virus scanner, has a file open
-    TRY_AGAIN = 50, // ms
-    PLAIN_PATH = 240, // letters of a path that every call accepts
-    BESIDE = 40       // letters that the name of a new file beside a target may have
+    TRIES = 20,       // retries while another program, such as an editor, has a file open
+    TRY_AGAIN = 50,   // ms
+    PLAIN_PATH = 240, // characters of a path that is passed without a prefix
+    BESIDE = 40       // bytes for the name of a new file beside a target
 };
 
 #define SHARED       (FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE)
-#define SINCE_1601   116444736000000000LL // of 1970, in steps of 100 ns
-#define POSIX_RENAME 3                    // FILE_RENAME_REPLACE_IF_EXISTS, _POSIX_SEMANTICS
+#define SINCE_1601   116444736000000000LL // the start of 1970, in steps of 100 ns
+#define POSIX_RENAME 3                    // FILE_RENAME_REPLACE_IF_EXISTS | _POSIX_SEMANTICS
 
 // ---- Text ----
 
-// Convert a path for the system's calls: absolute, and if it is long, in the form without a limit
-// of 260 letters. Returns false with errno if it is malformed, empty or too long.
+// Convert a path to the absolute path that the system's calls need. A long path gets the prefix
+// \\?\, without which a path is limited to 260 characters. Returns false with errno set if the path
+// is malformed, empty or too long.
 static bool widen(const char *path, wchar_t wide[PLATFORM_PATH])
 {
     wchar_t given[PLATFORM_PATH], whole[PLATFORM_PATH];
@@ -45,7 +46,7 @@ static bool widen(const char *path, wchar_t wide[PLATFORM_PATH])
     return true;
 }
 
-// Returns false with errno if it is too long.
+// Convert a path back, with '/' between its parts. Returns false with errno set if it is too long.
 static bool narrow(const wchar_t *wide, char path[PLATFORM_PATH])
 {
     if (WideCharToMultiByte(CP_UTF8, 0, wide, -1, path, PLATFORM_PATH, NULL, NULL) == 0) {
@@ -58,7 +59,7 @@ static bool narrow(const wchar_t *wide, char path[PLATFORM_PATH])
     return true;
 }
 
-// The errno of the system's last error.
+// Return the errno that corresponds to the system's last error, or EIO if there is none.
 static int last_errno(void)
 {
     static const struct {
@@ -94,12 +95,12 @@ static int last_errno(void)
 
 const char *platform_why(int error)
 {
-    return error == ETXTBSY ? "another program holds it open: close it there" : strerror(error);
+    return error == ETXTBSY ? "another program has the file open: close it there" : strerror(error);
 }
 
 // ---- Files that are read ----
 
-// Open a file or a folder. An editor that is saving may deny access for a moment.
+// Open a file or a folder. An editor that is saving a file may deny access for a moment.
 static HANDLE open_any(const char *path, DWORD access)
 {
     wchar_t wide[PLATFORM_PATH];
@@ -145,7 +146,8 @@ bool platform_is_same(const struct platform_file *one, const struct platform_fil
     return one->place[0] == other->place[0] && one->place[1] == other->place[1];
 }
 
-// "\\?\C:\folder" is C:/folder, "\\?\UNC\server\share" is //server/share.
+// Remove the prefix of a long path: "\\?\C:\folder" becomes C:/folder, and "\\?\UNC\server\share"
+// becomes //server/share. The caller frees the path.
 static char *plain(wchar_t *wide)
 {
     char text[PLATFORM_PATH];
@@ -164,13 +166,13 @@ char *platform_resolve(const char *path)
         return NULL;
     DWORD length = GetFinalPathNameByHandleW(handle, whole, PLATFORM_PATH, VOLUME_NAME_DOS);
     CloseHandle(handle);
-    // A drive that a program provides may have no final name.
+    // A file on a drive that a program provides may have no final name.
     bool told = (length > 0 && length < PLATFORM_PATH) || widen(path, whole);
     return told ? plain(whole) : NULL;
 }
 
 // Other programs may replace the file while it is open here, which fopen would forbid.
-// platform_look would also ask for its disk.
+// platform_look is not used, because it would also query the file's disk.
 FILE *platform_open(const char *path)
 {
     FILE_BASIC_INFO is;
@@ -200,7 +202,7 @@ static bool refuse(char why[PLATFORM_WHY], const char *phrase)
     return false;
 }
 
-// Where a path's last name begins.
+// Return the index at which the last component of a path begins.
 static size_t name_at(const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -208,8 +210,8 @@ static size_t name_at(const char *path)
 }
 
 // Create a file with a new name in the target's folder.
-//   flags  FILE_FLAG_DELETE_ON_CLOSE: only to try
-// Returns INVALID_HANDLE_VALUE with errno if that fails.
+//   flags  FILE_FLAG_DELETE_ON_CLOSE to test whether a file can be created; otherwise 0
+// Returns INVALID_HANDLE_VALUE with errno set if no file can be created.
 static HANDLE create_beside(const char *target, wchar_t name[PLATFORM_PATH], DWORD flags)
 {
     char path[PLATFORM_PATH + BESIDE];
@@ -251,7 +253,7 @@ static bool may_create(const char *path, char why[PLATFORM_WHY])
         return refuse(why, "a name that ends in / is a folder's: give the name of a file");
     // A name with a colon would be a stream of another file.
     if (strpbrk(path + name_at(path), "<>:\"|?*") != NULL)
-        return refuse(why, "a name has none of < > : \" | ? * here: give another");
+        return refuse(why, "a name must not contain < > : \" | ? *: give another");
     if (widen(path, wide) && GetFileAttributesW(wide) != INVALID_FILE_ATTRIBUTES)
         return refuse(why, "it is a broken link: give the name of a file");
     return true;
@@ -278,14 +280,14 @@ bool platform_target(const char *path, char target[PLATFORM_PATH], char why[PLAT
         return may_create(path, why) && folder_writable(target, why);
     if (!may_replace(path, &file, why))
         return false;
-    char *resolved = platform_resolve(path); // a link stays, and its file is replaced
+    char *resolved = platform_resolve(path); // a link is kept; its file is replaced
     if (resolved != NULL)
         strcpy(target, resolved);
     free(resolved);
     return folder_writable(target, why);
 }
 
-// Rename a file to a target that other programs are reading; they keep the old one.
+// Rename a file to a target that other programs are reading; they go on reading the old file.
 static bool rename_as_posix(const wchar_t *name, const wchar_t *target)
 {
     struct {
@@ -304,7 +306,7 @@ static bool rename_as_posix(const wchar_t *name, const wchar_t *target)
 }
 
 // Rename a file to its target. If access is denied, a program has the target open, because
-// platform_target has checked its protection. Returns 0 or an errno.
+// platform_target has checked that the target is not write-protected. Returns 0 or an errno.
 static int put_in_place(const wchar_t *name, const wchar_t *target)
 {
     for (int i = 0; !MoveFileExW(name, target, MOVEFILE_REPLACE_EXISTING); i++) {
@@ -319,7 +321,7 @@ static int put_in_place(const wchar_t *name, const wchar_t *target)
     return 0;
 }
 
-// Write a new file beside the target and rename it. Returns 0 or an errno; then no file is left.
+// Write a new file beside the target and rename it. Returns 0, or an errno and leaves no new file.
 static int replace(const char *target, const char *data, size_t size)
 {
     wchar_t name[PLATFORM_PATH], wide[PLATFORM_PATH];
@@ -343,7 +345,7 @@ static int replace(const char *target, const char *data, size_t size)
 
 static CRITICAL_SECTION writing;
 
-// Ctrl+C arrives in a thread of its own, which waits here until the file is complete.
+// Ctrl+C is handled in a separate thread, which waits here until the file is complete.
 static BOOL WINAPI on_interrupt(DWORD event)
 {
     (void)event;

@@ -7,8 +7,8 @@
 // Write words to standard error without the C library, which a crash may have damaged.
 void platform_say(const char *words);
 
-// A console that was opened for this program closes with it: there, wait until the reader of an
-// error presses Enter.
+// A console that was opened for this program closes when the program ends. In such a console, wait
+// until the user presses Enter, so that an error can be read.
 void platform_wait_for_reader(void);
 
 #endif

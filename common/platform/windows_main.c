@@ -1,6 +1,6 @@
-// The start of a program for Windows, which calls main with the command line in UTF-8. In the
-// packed folder, every program contains this file, and a library beside them contains all the
-// others.
+// The entry point of a program for Windows, which calls main with the command line in UTF-8. In the
+// packed folder, every program contains this file, and a library beside the programs contains all
+// the others.
 #include "platform/windows.h"
 
 #include <fcntl.h>
@@ -9,16 +9,16 @@
 
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
-// After windows.h, which they need.
+// These headers must follow windows.h.
 #include <shellapi.h>
 #include <timeapi.h>
 
-// On laptops with two graphics cards, a program that exports these gets the faster one.
+// On laptops with two graphics cards, a program that exports these variables gets the faster one.
 __declspec(dllexport) extern const DWORD NvOptimusEnablement, AmdPowerXpressRequestHighPerformance;
 const DWORD NvOptimusEnablement = 1, AmdPowerXpressRequestHighPerformance = 1;
 
 static struct {
-    UINT code_page; // of the console, before
+    UINT code_page; // of the console before this program changed it
     bool done;      // main has succeeded
 } state;
 
@@ -42,8 +42,8 @@ static void *need(void *memory)
     return memory;
 }
 
-// A word of the command line in UTF-8, with '/' for '\', which only paths contain. Lives as long as
-// the program.
+// Return a word of the command line in UTF-8, with '/' instead of '\', which only paths contain.
+// The word lives as long as the program.
 static char *word_of(const wchar_t *wide)
 {
     int size = WideCharToMultiByte(CP_UTF8, 0, wide, -1, NULL, 0, NULL, NULL);
@@ -55,7 +55,7 @@ static char *word_of(const wchar_t *wide)
     return word;
 }
 
-// The words of the command line as the shell passed them: the C library would expand * and ?.
+// Return the command line's words as the shell passed them. The C library would expand * and ?.
 static char **words_of(int *count)
 {
     wchar_t **wide = need(CommandLineToArgvW(GetCommandLineW(), count));
@@ -73,8 +73,8 @@ int wmain(void)
     char **words = words_of(&count);
     _setmode(_fileno(stdout), _O_BINARY);
     _setmode(_fileno(stderr), _O_BINARY);
-    setvbuf(stderr, NULL, _IONBF, 0);     // otherwise a pipe gets it at the program's end
-    SetErrorMode(SEM_FAILCRITICALERRORS); // a drive without a disk has no files, and no dialog
+    setvbuf(stderr, NULL, _IONBF, 0);     // otherwise a pipe gets it only at the program's end
+    SetErrorMode(SEM_FAILCRITICALERRORS); // no dialog for a drive without a disk
     timeBeginPeriod(1);                   // otherwise a wait may last 16 ms, as long as a frame
     state.code_page = GetConsoleOutputCP();
     SetConsoleOutputCP(CP_UTF8);

@@ -9,8 +9,8 @@
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
 
-#define STACK_LEFT (64 * 1024) // bytes for on_crash, if the driver has used up the rest
-#define SINCE_1601 11644473600 // of 1970, in seconds
+#define STACK_LEFT (64 * 1024) // bytes of stack for on_crash if the driver uses up the rest
+#define SINCE_1601 11644473600 // the start of 1970, in seconds
 
 static struct {
     const char *words, *lost_page;

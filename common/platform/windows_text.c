@@ -1,6 +1,6 @@
-// platform.h for Windows: streams into memory. Its C library has none, so each is a temporary file,
-// which seldom reaches the disk. The file is kept for the next stream, because a window makes short
-// texts in every frame.
+// platform.h for Windows: streams into memory. The C library of Windows has none, so each stream is
+// a temporary file, which seldom reaches the disk. The file is kept for the next stream, because a
+// window makes short texts in every frame.
 #include "platform.h"
 
 #include <fcntl.h>
@@ -11,15 +11,15 @@
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
 
-enum { STREAMS = 16 }; // at the same time
+enum { STREAMS = 16 }; // open at the same time
 
 static struct {
     FILE *stream;
-    char **text; // NULL while it is unused
+    char **text; // NULL while the stream is unused
     size_t *size;
 } kept[STREAMS];
 
-// A file that is deleted with its last handle, however the program ends.
+// Open a file that the system deletes when its last handle is closed, however the program ends.
 static FILE *open_scratch(void)
 {
     wchar_t folder[MAX_PATH + 1], name[MAX_PATH + 1];
@@ -55,7 +55,7 @@ FILE *platform_open_text(char **text, size_t *size)
     return kept[i].stream;
 }
 
-// The text written, with '\0' at the end; NULL if part of it is missing.
+// Return the text written, with '\0' at the end, or NULL if part of it is missing.
 static char *contents(FILE *stream, size_t *size)
 {
     bool failed = fflush(stream) != 0 || ferror(stream) != 0;

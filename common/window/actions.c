@@ -30,7 +30,7 @@ static void shoot(struct window *window)
     window->shooting = true;
 }
 
-// Switch one of the window's flags.
+// Toggle the flag at an offset in the window.
 static void toggle(struct window *window, int offset)
 {
     bool *flag = (bool *)((char *)window + offset);
@@ -54,7 +54,7 @@ static void select_next(struct window *window, int by)
         return;
     while (comparison_parameter(renderer, index) != parameter)
         index++;
-    // Shift makes no difference here, because ten rows at once would only confuse.
+    // The selection moves by one row even with Shift, because ten rows at once would confuse.
     window_select(window,
                   comparison_parameter(renderer, (index + (by > 0 ? 1 : count - 1)) % count));
 }
@@ -96,8 +96,8 @@ static void hide(struct window *window)
     window->panel.captioned = !window->panel.folded;
 }
 
-// In a scene that begins with a step of the ray, Page Down and Page Up go along the ray: true if
-// there is a step in this direction.
+// True if Page Down or Page Up steps along the ray instead of changing the scene: the scene began
+// with a step of the ray, and there is another step in this direction.
 static bool goes_on(const struct window *window, int by)
 {
     int first = window->start->shown, to = (int)window->inputs.shown + by;
@@ -105,9 +105,8 @@ static bool goes_on(const struct window *window, int by)
            to >= first && to <= probe_rows(window->ray.probe);
 }
 
-// Ask for a lecture's next scene, or the one before. A key that is held does not repeat this.
-// Presses that have piled up while a scene was compiled count once, or an impatient speaker would
-// pass over scenes.
+// Ask for a lecture's next or previous scene. Holding the key does not repeat this. Presses that
+// pile up while a scene is compiled count once; otherwise an impatient speaker would skip scenes.
 static void change_scene(struct window *window, int by)
 {
     if (window->start->caption != NULL)
@@ -131,10 +130,10 @@ static void step_by_page(struct window *window, int by)
     .shifted = offsetof(struct window, name)
 
 static const struct {
-    void (*act)(struct window *window); // or, with an argument,
-    void (*change)(struct window *window, int amount);
+    void (*act)(struct window *window);                // called unless it is NULL
+    void (*change)(struct window *window, int amount); // called otherwise
     int key;
-    int amount, shifted; // the argument, and with Shift
+    int amount, shifted; // the argument without and with Shift
     bool repeats;
 } bindings[] = {
     {.key = GLFW_KEY_BACKSPACE, .act = quit},
@@ -160,7 +159,7 @@ static const struct {
     {NULL, window_step, GLFW_KEY_E, 1, 1, true},
     {NULL, window_step, GLFW_KEY_Q, -1, -1, true},
     {NULL, change_scene, GLFW_KEY_N, 1, -1, false},
-    // A presenter's remote control has these two.
+    // A presenter's remote control has these two keys.
     {NULL, turn_page, GLFW_KEY_PAGE_DOWN, 1, 1, false},
     {NULL, turn_page, GLFW_KEY_PAGE_UP, -1, -1, false},
     {NULL, step_by_page, GLFW_KEY_PAGE_DOWN, 1, 1, true},
@@ -173,7 +172,7 @@ static const struct {
     {NULL, window_show_view, GLFW_KEY_6, SHADER_PLOT, SHADER_PLOT, false},
 };
 
-// In a lecture, Shift with a digit asks for a part. True if this was such a key.
+// In a lecture, Shift with a digit from 1 to 9 asks for a part. Returns true for such a key.
 static bool ask_part(struct window *window, const struct window_event *event)
 {
     int part = event->amount - GLFW_KEY_0;
@@ -210,7 +209,7 @@ static void move(struct window *window, const double movement[3])
     }
     struct camera moved = window->inputs.camera;
     camera_move(&moved, direction, SPEED * longest);
-    // Once an error is shown, the camera moves freely.
+    // While an error is shown, the camera moves freely.
     if (window->panel.error[0] == '\0' &&
         !room_keep(window->renderer, &window->inputs, moved.position))
         snprintf(window->panel.error, sizeof window->panel.error, "%s", report_last());
@@ -233,8 +232,8 @@ static void act(struct window *window, struct window_event *event)
     }
 }
 
-// The events are carried out in their order: after Shift and R, a drag in the same turn turns the
-// camera again.
+// The events are handled in order: after Shift+R has reset the camera, a drag in the same turn
+// turns the camera again.
 void window_act(struct window *window)
 {
     struct window_input *input = &window->input;

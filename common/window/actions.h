@@ -1,4 +1,4 @@
-// actions.h - carries out what keyboard and pointer ask for.
+// actions.h - acts on the input of keyboard and pointer.
 #ifndef WINDOW_ACTIONS_H
 #define WINDOW_ACTIONS_H
 

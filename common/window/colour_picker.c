@@ -2,7 +2,7 @@
 
 #include "window/selection.h"
 
-// The selected parameter if it is a colour, or NULL.
+// Return the selected parameter if it is a colour, otherwise NULL.
 static struct parameter *colour_of(const struct window *window)
 {
     struct parameter *parameter = window_selected(window);
@@ -14,7 +14,7 @@ void window_picker_open(struct window *window)
     const struct parameter *colour = colour_of(window);
     if (colour == NULL)
         return;
-    // A value that the colour does not have, so that the colour is read.
+    // Begin with a value that the colour does not have, so that picker_take reads the colour.
     window->grab.picker = (struct picker){.value = {colour->value[0] - 1.0}};
     window->input.picker_open = window->dirty = true;
 }
@@ -37,7 +37,7 @@ bool window_picker_claims(struct window *window, const struct window_event *pres
         return window->input.picker_open;
     const struct panel_row *row = panel_rows_at(&window->panel.rows, unit[0], unit[1]);
     bool own = row != NULL && row->selected && panel_row_is_swatch(row, unit[0]);
-    if (own && press->kind == EVENT_DOUBLE_PRESS) // its first press has just opened the picker
+    if (own && press->kind == EVENT_DOUBLE_PRESS) // the first press has just opened the picker
         return false;
     window_picker_close(window);
     return row == NULL || own;

@@ -11,17 +11,17 @@ void window_picker_close(struct window *window);
 // True if the open picker covers a position, in units of the overlay.
 bool window_picker_covers(const struct window *window, const float unit[2]);
 
-// True if a press belongs to the open picker. A press beside it closes the picker, and does nothing
-// else unless it is on a row of the panel.
+// True if a press belongs to the open picker. A press beside the picker closes it. Such a press has
+// no other effect, unless it is on a row of the panel and not on the colour's own swatch.
 bool window_picker_claims(struct window *window, const struct window_event *press);
 
 // Handle a press on the picker and the drag that follows it.
 void window_picker_input(struct window *window, const struct window_event *event);
 
-// Set what the panel shows of the picker.
+// Set the panel's members for the picker.
 void window_picker_fill(struct window *window, struct panel *panel);
 
-// Close a picker whose colour is no longer shown. Call it once per turn.
+// Close the picker if its colour is no longer shown. Call this once per turn.
 void window_picker_update(struct window *window);
 
 #endif

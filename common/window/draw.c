@@ -14,12 +14,13 @@
 #include "window/ray.h"
 #include "window/selection.h"
 
-#define FIGURES_SECONDS 0.25 // between two changes of the overlay's rate
-// Longer than between two repeats of a held key.
-#define REST_SECONDS 0.3  // that the picture must be at rest before it is sharpened
-#define BAND_SECONDS 0.05 // of sharpening between two looks at the input
+#define FIGURES_SECONDS 0.25 // between two updates of the overlay's frame rate
+// The time for which the picture must be at rest before it is sharpened. It is longer than the time
+// between two repeats of a held key.
+#define REST_SECONDS 0.3
+#define BAND_SECONDS 0.05 // of sharpening between two checks of the input
 
-// True if nothing has moved for a while: then the rate of earlier frames says nothing.
+// True if nothing has moved for a while, so that the rate of earlier frames means nothing.
 static bool rests(const struct window *window)
 {
     return !window->moved && glfwGetTime() >= window->sharpening.due;
@@ -44,7 +45,7 @@ void window_retitle(struct window *window)
     memcpy(window->title.shown, text, sizeof text);
 }
 
-// The linker keeps only the uniforms that a program uses.
+// True if the program of a view uses the time. The linker keeps only the uniforms in use.
 static bool program_uses_time(const struct renderer *renderer, enum shader_view view)
 {
     GLuint program = renderer->program[view];
@@ -68,7 +69,7 @@ bool window_uses_time(const struct window *window)
 static void fill_overlay(struct window *window)
 {
     const struct renderer_inputs *inputs = &window->inputs;
-    // A telephone's picture is small although it has many pixels.
+    // A phone's picture is small although it has many pixels.
     float own = fmaxf(overlay_scale_of(inputs->height),
                       fminf(window->density, (float)OVERLAY_SCALE_MAXIMUM));
     double scale = window->start->overlay_scale;
@@ -118,7 +119,7 @@ static double pixels_of(const struct renderer_inputs *inputs)
     return (double)inputs->width * inputs->height;
 }
 
-// Draw the picture at a level of the resolution.
+// Draw the picture at a resolution level.
 //   cost  receives the seconds per pixel
 static bool draw_at(struct window *window, int level, double *cost)
 {
@@ -140,10 +141,11 @@ static bool draw_at(struct window *window, int level, double *cost)
     return true;
 }
 
-// Estimate what a pixel of a new program costs from a small picture that is not shown, so that a
-// slow program never blocks the window. It is drawn twice, because drivers finish compiling during
-// the first draw. The estimate is halved, because the cost per draw weighs more in a small picture.
-// A slice is quick to draw in any scene.
+// Estimate the cost per pixel of a new program from a small picture that is not shown, so that a
+// slow program never blocks the window. The picture is drawn twice, because drivers finish
+// compiling during the first draw. The estimate is halved, because the fixed cost of a draw weighs
+// more in a small picture. A slice or a plot is not tried, because it is quick to draw in any
+// scene.
 static bool try_program(struct window *window)
 {
     const struct renderer *renderer = window->renderer;
@@ -211,7 +213,7 @@ static bool sharpen(struct window *window)
     return true;
 }
 
-// Fill the window from the picture, and measure the time if the picture is smaller.
+// Enlarge the picture to the window. If the picture is smaller, measure how long this takes.
 static bool show_enlarged(struct window *window)
 {
     struct renderer *renderer = window->renderer;
@@ -228,7 +230,7 @@ static bool show_enlarged(struct window *window)
     return true;
 }
 
-// Show the picture, and over it the rows that are sharp already.
+// Show the picture, and over it the rows that are already sharp.
 static bool present(struct window *window)
 {
     int height = window->sharpening.inputs.height, sharp = window->sharpening.rows;
@@ -239,7 +241,8 @@ static bool present(struct window *window)
     return true;
 }
 
-// Update the rate of consecutive frames. While nothing changes, no frame is drawn.
+// Update the frame rate from consecutive frames only, because no frame is drawn while nothing
+// changes.
 static void update_rate(struct window *window, double now)
 {
     double seconds = window->pace.drew ? now - window->pace.frame : 0.0;

@@ -10,13 +10,13 @@ void window_retitle(struct window *window);
 // True if the picture on the screen depends on the time.
 bool window_uses_time(const struct window *window);
 
-// True if the picture on the screen is coarse and has been at rest for long enough.
-//   now  of glfwGetTime
+// True if the picture on the screen is coarse and has been at rest for long enough to be sharpened.
+//   now  the time of glfwGetTime
 bool window_sharpens(const struct window *window, double now);
 
 // Draw a frame with its overlay: the picture if it is stale, otherwise some rows of the sharp
 // picture if that is due.
-//   now  of glfwGetTime
+//   now  the time of glfwGetTime
 // Returns false after reporting the error.
 bool window_draw(struct window *window, double now);
 

@@ -30,7 +30,7 @@ void window_field_open(struct window *window)
     window->input.typing = true;
 }
 
-// Assign the typed value, as --set does; a refusal is shown beside the row.
+// Assign the typed value as --set does. If it is refused, the reason is shown beside the row.
 static void assign(struct window *window)
 {
     int first, behind;
@@ -67,7 +67,7 @@ static void assign(struct window *window)
 }
 
 // A comma counts as a decimal point, as on a French keyboard, unless it separates the numbers of a
-// vector. On that keyboard digits need Shift, as a message explains.
+// vector. On a French keyboard, digits need Shift, as a message explains.
 static void type_character(struct window *window, int code)
 {
     const struct parameter *parameter = window_selected(window);

@@ -8,11 +8,11 @@
 void window_field_open(struct window *window);
 void window_field_close(struct window *window);
 
-// Handle one character, or INPUT_ENTER and the like.
+// Handle one typed character, or a code such as INPUT_ENTER.
 void window_field_type(struct window *window, int code);
 
-// Set what the panel shows of the field.
-//   tip  room for a message, which the panel keeps
+// Set the panel's members for the field.
+//   tip  room for a message; must live as long as the panel
 void window_field_fill(const struct window *window, struct panel *panel, char tip[512]);
 
 #endif

@@ -4,8 +4,8 @@
 
 #include "window/state.h"
 
-// Fill the monitor below the window, or restore the window. In a web page, where only the page may
-// do this, nothing happens.
+// Fill the monitor that shows the window, or restore the window. In a web page this does nothing,
+// because a browser allows full screen only to the page's script.
 void window_toggle_full_screen(struct window *window);
 
 #endif

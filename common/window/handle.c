@@ -5,8 +5,8 @@
 #include "picture/pen.h"
 #include "window/selection.h"
 
-#define REACH 14.0 // units of the overlay around a handle where a press grabs it
-#define NUDGE 0.01 // of the picture's height, for each press of an arrow key
+#define REACH 14.0 // units of the overlay: a press this close to a handle grabs it
+#define NUDGE 0.01 // step of a handle for an arrow key, as a fraction of the picture's height
 
 static bool are_shown(const struct window *window)
 {
@@ -14,7 +14,8 @@ static bool are_shown(const struct window *window)
     return !hidden && !shader_shows_ray(window->renderer->view);
 }
 
-// Find the position of a handle, in units of the overlay. Returns false if it cannot be seen.
+// Find the position of a handle, in units of the overlay. Returns false if the handle cannot be
+// seen.
 static bool locate(const struct window *window, const struct handle *handle, float unit[2])
 {
     float scale = window->panel.overlay.scale;

@@ -1,15 +1,16 @@
-// handle.h - handles: points of the picture that the pointer drags, or the arrow keys move once one
-// of them is focused.
+// handle.h - handles: points in the picture that the pointer drags, and that the arrow keys move
+// once one is focused.
 #ifndef WINDOW_HANDLE_H
 #define WINDOW_HANDLE_H
 
 #include "window/state.h"
 
-// The handle at a position, in units of the overlay; -1 if there is none, or if the panel covers
-// it.
+// Return the index of the handle at a position, in units of the overlay; -1 if there is none, or if
+// the panel covers the handle.
 int window_handle_at(const struct window *window, const float unit[2]);
 
-// True if a press grabs a handle, which it focuses. A press beside them focuses none.
+// True if a press grabs a handle. That handle is then focused; a press beside all handles focuses
+// none.
 bool window_handle_claims(struct window *window, const struct window_event *press);
 
 // Drag the grabbed handle.
@@ -18,15 +19,15 @@ void window_handle_input(struct window *window, const struct window_event *event
 // Focus the next handle, or none after the last one.
 void window_next_handle(struct window *window);
 
-// Move the focused handle by this many key presses to the right and up. Returns false if none is
-// focused.
+// Move the focused handle by this many key presses to the right and up. Returns false if no handle
+// is focused, or handles are not shown.
 bool window_nudge_handle(struct window *window, int right, int up);
 
-// Find where the handles are, and move the one that is dragged or nudged. Call it once per turn,
-// before the picture is drawn. Returns false after reporting the error.
+// Find where the handles are, and move the one that is dragged or nudged. Call this at most once
+// per turn, before the picture is drawn. Returns false after reporting the error.
 bool window_place_handles(struct window *window);
 
-// Add them to the overlay's frame.
+// Add the handles to the overlay's frame.
 void window_draw_handles(struct window *window);
 
 #endif

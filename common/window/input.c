@@ -5,9 +5,9 @@
 #include <string.h>
 
 #define LONGEST_STEP 0.1 // seconds: even a slow frame moves the camera by no more than this
-#define FASTER       4.0 // times the speed while Left Shift or F is held
-#define DRAG_BEGINS  3.0 // pixels: the pointer moves less than this during a click
-#define DOUBLE       0.4 // seconds between the two presses of a double click, at most
+#define FASTER       4.0 // factor of the speed while Left Shift or F is held
+#define DRAG_BEGINS  3.0 // window units that the pointer may move during a click
+#define DOUBLE       0.4 // seconds at most between the two presses of a double click
 
 // GLFW names positions by the American keyboard: GLFW_KEY_W is the key labelled Z on a French one.
 static const int held_keys[HELD_KEYS] = {
@@ -45,8 +45,8 @@ static void add_at_pointer(struct window_input *input, struct window_event event
     add(input, event);
 }
 
-// Movement is counted at every press and release, not once a frame: so the distance depends on how
-// long the key was down, not on the frame rate.
+// Movement is also counted at every press and release, not only once per frame, so that the
+// distance depends on how long the key was down, not on the frame rate.
 void window_input_count(struct window_input *input)
 {
     const bool *held = input->held;
@@ -147,7 +147,7 @@ static void on_key(GLFWwindow *window, int key, int scancode, int action, int mo
                                          .repeated = action == GLFW_REPEAT});
 }
 
-// A third press begins a new double click.
+// A third press counts as the first press of another double click.
 static void press(struct window_input *input, bool right)
 {
     double now = glfwGetTime(), *position = input->press.position;
@@ -172,7 +172,7 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
     // While one button is held, another one is ignored.
     if (pressed ? input->state != BUTTON_UP : input->button != right)
         return;
-    // Only if no event has given the position: by now the pointer may have moved on.
+    // Ask only if no event has given the position, because the pointer may have moved on by now.
     if (!input->inside)
         glfwGetCursorPos(window, &input->position[0], &input->position[1]);
     input->inside = true;

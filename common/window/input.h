@@ -7,23 +7,23 @@
 #define GLFW_INCLUDE_NONE // OpenGL's names come from gl.h
 #include <GLFW/glfw3.h>
 
-#define WINDOW_INPUT_EVENTS 64 // kept between two frames; more are dropped
+#define WINDOW_INPUT_EVENTS 64 // events kept between two frames; further events are dropped
 
 enum window_event_kind {
     EVENT_KEY,          // amount: GLFW's key; shifted, repeated
-    EVENT_TYPED,        // amount: a character's code, or INPUT_ENTER and the like
+    EVENT_TYPED,        // amount: a character's code, or a code such as INPUT_ENTER
     EVENT_PRESS,        // amount: 0 the left button, 1 the right one
     EVENT_DOUBLE_PRESS, // the second press of a double click
     EVENT_RELEASE, // amount: 1 for a click; 0 if a drag has ended or the window has lost the focus
     // Consecutive events of one of these kinds are merged, and their movements added up.
-    EVENT_WHEEL, // movement: notches, away from the user positive
-    EVENT_LOOK,  // movement: pixels of the captured pointer to the right and down
+    EVENT_WHEEL, // movement: notches, positive away from the user
+    EVENT_LOOK,  // movement: window units of the captured pointer to the right and down
     EVENT_MOVE,  // movement: seconds to the right, up and forwards; more while moving faster
-    EVENT_DRAG,  // movement: pixels of the pointer to the right and down while a button is held
-    EVENT_HOVER  // the pointer is there: no button is held, or it has not moved far enough to drag
+    EVENT_DRAG,  // movement: the same of the pointer while a button is held
+    EVENT_HOVER  // the pointer has moved, or left the window, without dragging anything
 };
 
-// Characters that are typed without being letters.
+// Codes of keys that are typed but are no characters.
 enum { INPUT_BACKSPACE = 8, INPUT_ENTER = 13, INPUT_ESCAPE = 27 };
 
 struct window_event {
@@ -32,9 +32,9 @@ struct window_event {
     bool shifted, repeated;
     double movement[3];
     double position[2]; // of the pointer, window units from the top left; -1,-1 if it is outside
-    // The same position, which pointer.c adds:
+    // The same position in other units, which pointer.c adds:
     double pixel[2]; // in pixels of the picture from its bottom left
-    float unit[2];   // in units of the overlay from the top left; negative while there is none
+    float unit[2];   // in units of the overlay from the top left; negative if there is no overlay
 };
 
 // Keys that act as long as they are held.
@@ -47,7 +47,7 @@ enum window_held_key {
     HELD_FORWARD,
     HELD_BACK,
     HELD_FASTER,
-    HELD_FASTER_F, // because Windows asks something after five presses of Shift
+    HELD_FASTER_F, // because Windows opens a dialog after five presses of Shift
     HELD_KEYS
 };
 
@@ -58,23 +58,23 @@ struct window_input {
     // Called as soon as the window must be drawn again, because GLFW may not return while the user
     // resizes the window. It may be NULL.
     void (*show)(void *to);
-    void *to; // its argument
+    void *to; // the argument of show
     // Since the last window_input_forget:
     struct window_event event[WINDOW_INPUT_EVENTS];
     int events;
     bool damaged; // the window must be drawn again
     // Kept from frame to frame:
-    bool typing;      // a field is open, so keys are characters; set by others
-    bool picker_open; // Escape closes the colour picker; set by others
+    bool typing;      // a field is open, so keys are characters; set by field.c
+    bool picker_open; // Escape closes the colour picker; set by colour_picker.c
     bool held[HELD_KEYS];
     double counted; // all movement up to this time of glfwGetTime is in the events
     enum window_button_state state;
-    int button; // that is held: 0 left, 1 right
+    int button; // the button that is held: 0 left, 1 right
     struct {
         double time, position[2];
     } press; // the last press of the left button
     bool captured;
-    bool jumped;        // the next position of the pointer is no movement
+    bool jumped;        // the next position of the pointer does not count as movement
     double previous[2]; // the position up to which movement has been counted
     bool inside;        // position is known
     double position[2];
@@ -82,11 +82,11 @@ struct window_input {
 
 // Receive the events of a window from now on.
 //   input  must outlive the window's last event
-//   show   called with its argument, unless it is NULL
+//   show   called with to when the window must be drawn again; may be NULL
 void window_input_open(struct window_input *input, GLFWwindow *window, void (*show)(void *to),
                        void *to);
 
-// Add the movement up to now. Call it before the events are read.
+// Add the movement up to now. Call this before reading the events.
 void window_input_count(struct window_input *input);
 
 // Forget the gathered events. Held keys stay held.

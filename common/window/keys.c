@@ -54,8 +54,9 @@ static const struct {
 };
 _Static_assert(sizeof entries / sizeof *entries <= WINDOW_KEYS, "no room for all keys");
 
-// Add the label of a key that GLFW names by the American keyboard: é for the 2 of a French one. A
-// sign on a letter's key is quoted, because a comma is easily missed.
+// Add the label, on the user's keyboard, of a key that is named as on an American keyboard: é for
+// the key 2 of a French keyboard. A punctuation mark on a letter key is quoted, because a comma is
+// easily missed.
 static void add_label(const struct window *window, char key, char *text, size_t size)
 {
     const char american[] = {key, '\0'};
@@ -68,7 +69,7 @@ static void add_label(const struct window *window, char key, char *text, size_t 
              label + 1);
 }
 
-// The labels of several keys, separated by blanks.
+// Write the labels of several keys, separated by blanks.
 static void fill_labels(const struct window *window, const char *keys, char *text, size_t size)
 {
     text[0] = '\0';

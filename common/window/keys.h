@@ -4,7 +4,8 @@
 
 #include "window/state.h"
 
-// List the keys with the labels of the reader's keyboard, and set the hint which key shows more.
+// List the keys with the labels of the user's keyboard, and set the hint that names the keys for
+// showing more and for hiding the overlay.
 void window_list_keys(struct window *window);
 
 #endif

@@ -10,10 +10,10 @@
 #include "window/ray.h"
 #include "window/selection.h"
 
-#define TIP_SECONDS 0.5 // the pointer rests before a tooltip appears
-#define FINE        0.1 // times a drag's movement while Left Shift is held
+#define TIP_SECONDS 0.5 // for which the pointer rests before a tooltip appears
+#define FINE        0.1 // factor of a drag's movement while Left Shift is held
 
-// The row at a position; NULL for one that the open picker covers.
+// Return the row at a position, or NULL if there is none or the open picker covers the position.
 static const struct panel_row *row_at(const struct window *window, const float unit[2])
 {
     bool covered = window_picker_covers(window, unit);
@@ -38,7 +38,7 @@ static bool is_switch(const struct parameter *parameter)
            (parameter->type == PARAMETER_INT && parameter->maximum - parameter->minimum <= 1.0);
 }
 
-// What a press on a row would grab.
+// Return what a press on a row would grab.
 static enum panel_grab grab_of(const struct window *window, const struct panel_row *row, float x)
 {
     const struct parameter *parameter = parameter_of(window, row);
@@ -67,7 +67,7 @@ enum pointer_shape window_panel_shape(const struct window *window, const float u
 }
 
 // Keep the components of a parameter shown, so that no row moves when the pointer selects another
-// one.
+// parameter.
 static void keep_open(struct window *window, const struct parameter *parameter)
 {
     int index = 0;
@@ -126,7 +126,7 @@ static void click_button(struct window *window)
     window->title.due = 0.0;
 }
 
-// Handle a press on anything but the parameters. The mark of a folded panel unfolds it.
+// Handle a click on anything but the parameters. The mark of a folded panel unfolds the panel.
 static void click_words(struct window *window)
 {
     bool *mark = window->panel.folded ? &window->panel.folded : &window->panel.rolled;
@@ -176,7 +176,7 @@ void window_panel_input(struct window *window, const struct window_event *event)
     } else if (event->kind == EVENT_RELEASE && event->amount == 1) {
         click(window);
     }
-    if (event->kind != EVENT_HOVER) // after which a drag may still begin at the press
+    if (event->kind != EVENT_HOVER) // after a hover, a drag may still begin at the press
         memcpy(window->grab.at, event->unit, sizeof event->unit);
 }
 
@@ -200,8 +200,8 @@ bool window_panel_wheel(struct window *window, const struct window_event *event)
     return true;
 }
 
-// True where the title of a folded panel appears below the pointer. While it is hidden the panel
-// has no rows, so panel_rows_hold would never hold.
+// True if the pointer is where a folded panel shows its title. While the title is hidden, the panel
+// has no rows, so panel_rows_hold would always return false.
 static bool peeks(const struct window *window, const float unit[2])
 {
     const struct panel_rows *rows = &window->panel.rows;
@@ -218,7 +218,7 @@ void window_panel_hover(struct window *window, const struct window_event *event)
 }
 
 // Follow the parameter under the pointer. The rows that open on demand close only when the pointer
-// has left the panel, so that no row moves away from under it.
+// has left the panel, so that no row moves away from under the pointer.
 static void update_rows(struct window *window)
 {
     const struct panel_row *row = row_at(window, window->grab.at);
@@ -228,7 +228,7 @@ static void update_rows(struct window *window)
     window->panel.peeks = peeking;
     if (window->pointer.owner != OWNER_NONE)
         return;
-    if (parameter != window->grab.hovered) { // the rows have changed
+    if (parameter != window->grab.hovered) { // the pointer or the rows have moved
         window->dirty |= window->grab.tip;
         window->grab.tip = false;
         window->grab.hovered = parameter;

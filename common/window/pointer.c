@@ -14,10 +14,10 @@
 #include "window/ray.h"
 #include "window/stroke.h"
 
-#define DEGREES 0.15f // of a turn, for each pixel of the pointer
-#define REACH   6.0   // units of the overlay on either side of the divider
+#define DEGREES 0.15f // by which a movement of one window unit turns the camera
+#define REACH   6.0   // units of the overlay: a press this close to the divider grabs it
 
-// Add the position in the picture and on the overlay.
+// Set the event's position in pixels of the picture and in units of the overlay.
 static void locate(const struct window *window, struct window_event *event)
 {
     const struct renderer_inputs *inputs = &window->inputs;
@@ -38,7 +38,7 @@ static void locate(const struct window *window, struct window_event *event)
 
 // ---- The picture ----
 
-// The pointer to the right turns the view to the right, whether it drags or is captured.
+// Moving the pointer to the right, dragging or captured, turns the view to the right.
 static void look_around(struct window *window, const double movement[3])
 {
     camera_turn(&window->inputs.camera, DEGREES * (float)movement[0],
@@ -46,7 +46,8 @@ static void look_around(struct window *window, const double movement[3])
     window->moved = window->dirty = true;
 }
 
-// Handle the pointer on the picture while its button is down, which Shadertoy's mouse follows.
+// Handle the pointer on the picture while the button is down. Shadertoy's iMouse follows this
+// pointer.
 static void picture_input(struct window *window, const struct window_event *event)
 {
     memcpy(window->pointer.last, event->pixel, sizeof event->pixel);
@@ -60,9 +61,9 @@ static void picture_input(struct window *window, const struct window_event *even
     }
 }
 
-// Update Shadertoy's iMouse for this turn: xy is where the button was last held, zw where it was
-// pressed; z is positive while it is held, and w in the one frame of the press. A change draws a
-// frame if the shader reads iMouse.
+// Update Shadertoy's iMouse for this turn: xy is the last position with the button down, zw that of
+// the press; z is positive while the button is down, and w in the one frame of the press. If the
+// shader reads iMouse, a change causes a frame to be drawn.
 static void update_mouse(struct window *window)
 {
     const struct renderer *renderer = window->renderer;
@@ -129,7 +130,7 @@ static enum pointer_owner claim(struct window *window, const struct window_event
     return window_stroke_claims(window, press) ? OWNER_STROKE : OWNER_PICTURE;
 }
 
-// Give the pointer the shape for what is below it.
+// Set the pointer's shape to match what is below the pointer.
 static void show_shape(struct window *window, const float unit[2])
 {
     static const int shapes[SHAPES] = {0, GLFW_HAND_CURSOR, GLFW_HRESIZE_CURSOR,
@@ -182,7 +183,7 @@ bool window_pointer_input(struct window *window, struct window_event *event)
 
 void window_pointer_rest(struct window *window)
 {
-    // The release may have been one event too many for a turn.
+    // The release may have been dropped, if the turn had too many events.
     if (window->input.state == BUTTON_UP)
         window->pointer.owner = OWNER_NONE;
     window_stroke_rest(window);

@@ -4,11 +4,11 @@
 
 #include "window/state.h"
 
-// Handle an event of the pointer. Returns false for any other event, and for the wheel beside the
-// panel.
+// Handle an event of the pointer. Returns false for any other event, and for the wheel outside
+// the panel.
 bool window_pointer_input(struct window *window, struct window_event *event);
 
-// Call it after the events of a turn.
+// Update what depends on the pointer. Call this once per turn, after the events.
 void window_pointer_rest(struct window *window);
 
 #endif

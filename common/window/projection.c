@@ -4,8 +4,8 @@
 
 #include "picture/slice.h"
 
-#define ZOOM          1.1 // focal length or slice, for each notch of the wheel
-#define FOCAL_MINIMUM 0.2 // of a shader that declares no focalLength
+#define ZOOM          1.1 // factor of the focal length or the slice's zoom per wheel notch
+#define FOCAL_MINIMUM 0.2 // if the shader declares no focalLength
 #define FOCAL_MAXIMUM 10.0
 #define TRANSITION    0.5 // seconds from one projection to the other
 
@@ -26,7 +26,7 @@ void window_zoom(struct window *window, double notches)
             fmax((double)renderer->focal_length * factor, FOCAL_MINIMUM), FOCAL_MAXIMUM);
 }
 
-// The value that Tab changes, and its ends; NULL if there is none.
+// Return the value that Tab changes, or NULL if there is none. end receives the ends of its range.
 static double *orthographic_of(struct window *window, double end[2])
 {
     struct renderer *renderer = window->renderer;

@@ -11,7 +11,7 @@ void window_zoom(struct window *window, double notches);
 // complete shader that reads OrthoView.
 bool window_has_orthographic(struct window *window);
 
-// Begin the transition to the other projection; during a transition, go back.
+// Begin the transition to the other projection. During a transition, reverse it.
 void window_toggle_orthographic(struct window *window);
 
 // Continue the transition. Returns true if this has changed the picture.

@@ -65,12 +65,12 @@ void window_resize_ray(struct window *window, int width, int height)
         refresh(window);
 }
 
-// The number of steps of the selected ray; 0 if there is none.
+// Return the number of steps of the selected ray; 0 if no ray is selected or it has no march.
 static int steps_of(struct window *window)
 {
     if (window->inputs.pixel[0] < 0)
         return 0;
-    window_follow_ray(window); // it may have been selected in this turn
+    window_follow_ray(window); // the ray may have been selected in this turn
     bool marched = window->inputs.pixel[0] >= 0 && window->ray.why[0] == '\0';
     return marched ? probe_rows(window->ray.probe) : 0;
 }
@@ -90,7 +90,7 @@ void window_step(struct window *window, int by)
     int steps = steps_of(window), shown = (int)inputs->shown;
     if (steps == 0)
         return;
-    // While all steps are shown, forwards leads to the first one and backwards to the last.
+    // While all steps are shown, stepping forwards shows the first step, and backwards the last.
     show_steps(window, shown == 0 && by < 0 ? steps : shown + by, steps);
 }
 

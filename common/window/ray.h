@@ -10,20 +10,21 @@ void window_select_ray(struct window *window, const int pixel[2]);
 void window_deselect_ray(struct window *window);
 
 // Handle a click on the picture: select the ray of its pixel, or deselect it if it is selected.
-//   pixel  from the picture's bottom left, with its fraction
+//   pixel  position in pixels from the picture's bottom left, not rounded
 void window_click_ray(struct window *window, const double pixel[2]);
 
-// Keep the selected ray when the picture gets another size: its pixel is then the one at the ray's
-// position on the screen. If the picture has become too narrow for it, the ray is deselected.
-//   width, height  of the new size, pixels
+// Keep the selected ray when the picture changes size: its pixel is then the one at the ray's
+// position on the screen. If the picture has become too narrow for that, the ray is deselected.
+//   width, height  the new size, pixels
 void window_resize_ray(struct window *window, int width, int height);
 
 // Step along the selected ray. If none is selected and the shader keeps a trace, select the ray of
 // the middle pixel first.
-//   by  steps forwards, or backwards if negative
+//   by  number of steps forwards; negative for backwards
 void window_step(struct window *window, int by);
 
-// Go to the selected ray's first or last step. Returns false if no ray is selected.
+// Go to the selected ray's first or last step. Returns false if no ray is selected, or if
+// the ray has no march.
 bool window_step_to(struct window *window, bool last);
 
 // True if the table of the ray's march covers a position, in units of the overlay.

@@ -8,7 +8,7 @@ static double median(const double of[3])
     return fmax(low, fmin(high, of[2]));
 }
 
-// Add the newest of three and drop the oldest.
+// Add the newest of three values and drop the oldest.
 static void push(double to[3], double newest)
 {
     to[2] = to[1];
@@ -46,7 +46,7 @@ double resolution_cost(const struct resolution *resolution)
     return median(resolution->cost);
 }
 
-// The seconds that a frame at a level is predicted to take.
+// Return the seconds that a frame at a level is predicted to take.
 static double predicted(const struct resolution *resolution, int level, double pixels,
                         double enlarge)
 {

@@ -1,10 +1,10 @@
-// resolution.h - at which resolution a window draws its picture, depending on the time that its
+// resolution.h - chooses the resolution at which a window draws its picture, from the time that its
 // frames take. No clock is read here.
 //
-// Level k draws each side 2^(-k/4) times as long, so one level more leaves 2^(-1/2), about 0.71, of
-// the pixels. A frame with N pixels at full resolution takes, at level k,
+// Level k draws each side 2^(-k/4) times as long, so each level leaves 2^(-1/2), about 0.71, of the
+// pixels of the level before. A frame with N pixels at full resolution takes, at level k,
 //
-//     T(k) = a + c N / 2^(k/2), and E more if k > 0, to enlarge it;   a, c, E >= 0.
+//     T(k) = a + c N / 2^(k/2), plus E for enlarging if k > 0;   a, c, E >= 0.
 //
 // Only the last frame's T - E per pixel is known, and predictions assume a = 0. If a frame is
 // predicted to take longer than RESOLUTION_SLOW, the finest level that does not is chosen; if a
@@ -17,8 +17,8 @@
 // SLOW > QUICK, and is not chosen. So while the cost of a picture stays the same, the level moves
 // in only one direction, and there are few levels. Measured times may be wrong by a factor of up to
 // (SLOW / QUICK)^(1/2), that is 15 %, without causing a step back. One frame in three may be wrong
-// by more, because the cost is the median of the last three. A lasting change acts in its second
-// frame.
+// by more, because the cost is the median of the last three. A lasting change takes effect in
+// its second frame.
 #ifndef RESOLUTION_H
 #define RESOLUTION_H
 
@@ -26,47 +26,48 @@
 
 #define ENLARGING_SLOW  0.02 // seconds that the edge filter may take
 #define ENLARGING_QUICK 0.013
-#define ENLARGING_RATIO 3.0 // of the times of the edge filter and the bilinear filter
+#define ENLARGING_RATIO 3.0 // time of the edge filter divided by that of the bilinear filter
 
 // Seconds that a picture may take: about 10 frames per second with everything else that a frame
 // needs.
 #define RESOLUTION_SLOW     0.08
 #define RESOLUTION_QUICK    0.06
-#define RESOLUTION_COARSEST 12 // level: an eighth of each side
+#define RESOLUTION_COARSEST 12 // level at which each side is an eighth as long
 
-// One of zeros is at full resolution and knows no cost.
+// A struct of zeros is at full resolution and knows no cost.
 struct resolution {
     int level;
     double cost[3]; // seconds per pixel of the last three frames, the newest first
-    bool guessed;   // the cost is an estimate, not a frame's
+    bool guessed;   // the cost is an estimate, not measured from a frame
 };
 
-// The factor by which each side is shorter at a level: 1 to 8.
+// Return the factor by which each side is shorter at a level: 1 to 8.
 double resolution_divisor(int level);
 
-// The length of a side at a level, pixels, at least 1.
+// Return the length of a side at a level in pixels, at least 1.
 int resolution_side(int level, int side);
 
-// Begin with an estimated cost, which the first frame's replaces.
+// Begin with an estimated cost, seconds per pixel. The cost of the first frame replaces the
+// estimate.
 void resolution_guess(struct resolution *resolution, double cost);
 
 // Add the cost of the last frame, seconds per pixel.
 void resolution_learn(struct resolution *resolution, double cost);
 
-// The cost as far as it is known, seconds per pixel.
+// Return the median of the last three costs, seconds per pixel.
 double resolution_cost(const struct resolution *resolution);
 
 // Choose the level of the next frame.
-//   pixels   of the full picture
+//   pixels   number of pixels of the full picture
 //   enlarge  seconds that enlarging takes
-// Returns the level, which resolution->level then holds too.
+// Returns the level, which is also stored in resolution->level.
 int resolution_choose(struct resolution *resolution, double pixels, double enlarge);
 
-// The cost of enlarging, and the filter in use. One of zeros knows no cost and uses the edge
+// The cost of enlarging, and the filter in use. A struct of zeros knows no cost and uses the edge
 // filter.
 struct enlarging {
-    double cost[3]; // seconds per pixel of the window with the edge filter, as the last three times
-                    // predict it; 0 before they are known
+    double cost[3]; // seconds per pixel of the window that the edge filter would take, estimated
+                    // from the last three times; 0 before they are known
     bool plain;     // the bilinear filter is used instead
 };
 
@@ -76,8 +77,8 @@ void enlarging_learn(struct enlarging *enlarging, double cost);
 // Choose the filter of the next frame: the bilinear one if the edge filter would take longer than
 // ENLARGING_SLOW, until it would take less than ENLARGING_QUICK. One wrong time in three does not
 // matter, nor do times that are wrong by 20 %.
-//   pixels  of the window
-// Returns the seconds that it takes.
+//   pixels  number of pixels of the window
+// Returns the predicted seconds of the chosen filter.
 double enlarging_choose(struct enlarging *enlarging, double pixels);
 
 #endif

@@ -7,7 +7,7 @@
 #include "platform.h"
 #include "report.h"
 
-#define LAST 9999 // number of a screenshot
+#define LAST 9999 // the highest number of a screenshot
 
 bool window_screenshot_due(const struct window *window)
 {
@@ -15,7 +15,7 @@ bool window_screenshot_due(const struct window *window)
                                 window->sharpening.rows == window->sharpening.inputs.height);
 }
 
-// The first unused name. Reports an error and returns false if there is none.
+// Find the first unused name. Returns false after reporting the error if there is none.
 static bool find_name(const struct window *window, char path[256])
 {
     struct platform_file there;
@@ -27,8 +27,8 @@ static bool find_name(const struct window *window, char path[256])
            report("%s: all names up to this one are used: move some screenshots away", path);
 }
 
-// The labels and the divider of a comparison, as in a written picture. An overlay that is kept has
-// them already.
+// Add the labels and the divider of a comparison, as in a picture of --output. An overlay that
+// screenshots show already has them.
 static void add_labels(struct window *window)
 {
     struct renderer *renderer = window->renderer;
@@ -54,6 +54,6 @@ void window_screenshot(struct window *window)
         fflush(stdout);
     }
     image_free(&image);
-    // The drawing has replaced the picture on the screen.
+    // Drawing the screenshot has overwritten the picture that the window shows.
     window->stale |= !sharpened;
 }

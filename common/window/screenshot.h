@@ -4,7 +4,7 @@
 
 #include "window/state.h"
 
-// True if a screenshot was requested and the picture is sharp, or quick to draw.
+// True if a screenshot was requested, and the picture has full resolution or has been sharpened.
 bool window_screenshot_due(const struct window *window);
 
 // Write the screenshot. An error is reported, and the window stays open.

@@ -45,26 +45,26 @@ enum pointer_shape { SHAPE_ARROW, SHAPE_HAND, SHAPE_RESIZE, SHAPE_CROSSHAIR, SHA
 
 struct window {
     GLFWwindow *handle;
-    struct renderer *renderer; // of the first picture
+    struct renderer *renderer; // the first picture's renderer
     const struct window_start *start;
     struct window_input input;
     struct watch watch;
-    struct renderer_inputs inputs; // of the frame on the screen
-    char parameter[64];            // the selected one's name
-    bool second;                   // it belongs to the second picture
+    struct renderer_inputs inputs; // inputs of the frame on the screen
+    char parameter[64];            // name of the selected parameter
+    bool second;                   // the selected parameter belongs to the second picture
     struct {
         enum pointer_owner owner;
         // For Shadertoy's mouse, pixels of the picture:
         bool pressed;             // the picture was pressed in this turn
-        double press[2], last[2]; // where it was pressed, and where the pointer was last held
+        double press[2], last[2]; // position of the press, and the last one with the button down
     } pointer;
-    float density;     // pixels in a unit of the page; 0 in a window of its own
+    float density;     // pixels per unit of a web page; 0 outside a page
     int rectangle[4];  // x, y, width, height before full screen
     bool has_keyboard; // the window has had the focus; before that, labels of keys are unknown
     bool turning;      // a turn of the loop is under way
     bool failed;       // a turn has failed
-    bool broken;       // the last text of the shader has an error; an older one is shown
-    bool compiles;     // the driver compiles the last text; an older one is shown
+    bool broken;       // the newest version of the shader has an error; an older one is shown
+    bool compiles;     // the driver compiles the newest version; an older one is shown
     bool paused;
     bool moved;    // what the picture shows has changed in this turn
     bool stale;    // the picture must be drawn again
@@ -73,11 +73,11 @@ struct window {
     bool shooting; // a screenshot waits for the sharp picture, with the time stopped
     struct {
         bool on;       // Tab was pressed, and the orthographic parameter changes
-        double target; // to this value
+        double target; // the value to which it changes
     } transition;
     struct {
         char shown[300];
-        double due; // when it may change
+        double due; // when the title may change again
     } title;
     struct {
         double turn, frame; // when the last turn of the loop began, and the last frame
@@ -85,7 +85,7 @@ struct window {
         double watch_due;   // when to look at the shader's files again
         bool drew;          // the last turn drew a frame
         double rate;        // frames per second; 0 before it is known
-        double seconds;     // that drawing the last picture took
+        double seconds;     // time that drawing the last picture took
         GLuint tried;       // the program whose cost is known
         struct resolution resolution;
         struct enlarging enlarging;
@@ -93,68 +93,68 @@ struct window {
     // At rest, a picture that was drawn at a lower resolution is sharpened.
     struct {
         double due;                    // when the picture has been at rest for long enough
-        struct renderer_inputs inputs; // of the last picture, at its full size
+        struct renderer_inputs inputs; // inputs of the last picture, at its full size
         int rows;                      // sharp rows, from the top
         int band;                      // rows to sharpen next
-        double seconds;                // that drawing the sharp rows took
+        double seconds;                // time that drawing the sharp rows took
     } sharpening;
     struct {
         struct overlay overlay;
-        struct panel_rows rows; // as they are shown
+        struct panel_rows rows; // the rows as they are shown
         struct inspector_table table;
-        bool folded;             // H was pressed
+        bool folded;             // the panel is hidden, as by H
         bool captioned;          // the caption is shown, if there is one
         bool in_page;            // a web page shows the panel's words while the panel is folded
-        bool right, rolled;      // it is on the right; it is collapsed to its title
+        bool right, rolled;      // the panel is on the right; the panel is collapsed to its title
         bool peeks;              // the pointer is where the folded panel shows its title
         bool views;              // the list of views is open
         unsigned long long open; // parameters whose components stay shown, as in struct panel
         bool helps;              // K was pressed: show all keys and the ranges of all parameters
         double figures[2];       // frames per second and milliseconds, as shown
-        double figures_due;      // when they may change
-        char error[4096];        // of the last reload, or why a view is refused; or ""
+        double figures_due;      // when the figures may change again
+        char error[4096];        // the error that the panel shows; "" if there is none
         struct panel_key keys[WINDOW_KEYS];
         int key_count;
-        char hint[64]; // which key shows more
+        char hint[64]; // names the keys for showing more and for hiding the overlay
     } panel;
     struct {
-        int scenes, part; // of a lecture, as window_asked returns them
+        int scenes, part; // scenes and part of a lecture, as window_asked returns them
     } asked;
     // The panel's input.
     struct {
         enum panel_grab what;
-        int button;         // of the last press: 0 left, 1 right
+        int button;         // button of the last press: 0 left, 1 right
         int part;           // the component of the selected parameter; -1 for all
-        double fraction[4]; // of each component in its range, as dragged
-        float width;        // of the row
-        char typed[128];    // while input.typing
+        double fraction[4]; // position of each component in its range, as dragged
+        float width;        // width of the grabbed row
+        char typed[128];    // the typed text while input.typing
         bool fresh;         // the next character replaces typed
         char refused[512];  // why the typed value is refused
-        double notches;     // of the wheel, the fraction that has not acted yet
+        double notches;     // turns of the wheel that have not acted yet, a fraction of a notch
         int choice;         // the view or the button that was pressed
         int hovered;        // the parameter below the pointer; -1 if there is none
-        float at[2];        // the pointer, units of the overlay; negative: outside
+        float at[2];        // position of the pointer, units of the overlay; negative if outside
         double rests_since;
-        bool tip;                // its tooltip is shown
-        struct picker picker;    // of the selected colour, while input.picker_open
+        bool tip;                // the tooltip of the hovered parameter is shown
+        struct picker picker;    // picker of the selected colour, while input.picker_open
         enum picker_part picked; // the part that the pointer has grabbed
     } grab;
-    enum pointer_shape shape; // of the pointer
+    enum pointer_shape shape; // the pointer's current shape
     GLFWcursor *cursor[SHAPES];
     struct {
-        struct handle item[HANDLES_MOST]; // as the last frame shows them
+        struct handle item[HANDLES_MOST]; // the handles as the last frame shows them
         int count;
-        int focused;                 // -1 if there is none
-        bool moving;                 // the focused one moves to the target
-        double offset[2], target[2]; // from the pointer to the handle; pixels
+        int focused;                 // index of the focused handle; -1 if there is none
+        bool moving;                 // the focused handle moves to target
+        double offset[2], target[2]; // from the pointer to the handle; where to move; pixels
     } handles;
     // The selected ray.
     struct {
-        struct renderer_eye eye; // where it starts: it stays in space while the camera moves
-        double position[2];      // of its pixel, from the screen's centre, in half its heights
+        struct renderer_eye eye; // where the ray starts, which stays fixed while the camera moves
+        double position[2];      // of the ray's pixel from the centre, in half picture heights
         struct probe *probe;     // owned
-        bool follow;             // march it again
-        bool print;              // print its table
+        bool follow;             // the ray must be marched again
+        bool print;              // the table of the march must be printed
         char why[512];           // why it has no march, or ""
     } ray;
 };

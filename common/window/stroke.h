@@ -1,20 +1,21 @@
-// stroke.h - strokes: the pointer works on the chapter's volume while it is dragged over it.
+// stroke.h - strokes: dragging the pointer over the chapter's volume changes the volume.
 #ifndef WINDOW_STROKE_H
 #define WINDOW_STROKE_H
 
 #include "window/state.h"
 
-// True if the chapter has a tool and its parameter is not 0.
+// True if the chapter has a tool, its parameter is not 0, and the view is not the slice or the
+// plot.
 bool window_has_tool(const struct window *window);
 
-// True if a press begins a stroke: the tool finds something to work on there.
+// True if a press begins a stroke, because the tool finds something to work on there.
 bool window_stroke_claims(struct window *window, const struct window_event *press);
 
-// Go on with the stroke, or end and print it.
+// Continue the stroke, or end it and print it.
 void window_stroke_input(struct window *window, const struct window_event *event);
 
-// Add the point below the pointer, which the scene may have moved. Call it once per turn, after the
-// events.
+// Add the point below the pointer to the stroke, because the pointer or the scene may have moved.
+// Call this once per turn, after the events.
 void window_stroke_rest(struct window *window);
 
 // Take back at most this many of the last strokes. Nothing happens while a stroke is being made.

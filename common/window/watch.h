@@ -8,12 +8,12 @@
 
 struct watch_file {
     char *path;
-    struct platform_file was; // when last looked at
+    struct platform_file was; // the file's state at the last look
     bool changed;             // a change has not been reported yet
     bool kept;                // added since watch_begin
 };
 
-// A set of files. One of zeros is empty.
+// A set of files. A struct of zeros is an empty set.
 struct watch {
     struct watch_file *file; // owned
     int count;
@@ -21,13 +21,13 @@ struct watch {
     int quiet;    // consecutive looks that saw nothing new
 };
 
-// Add a file in its present state, unless the set has it already.
+// Add a file in its current state, unless the set already contains it.
 void watch_add(struct watch *watch, const char *path);
 
-// Look at every file once; to be called about ten times per second.
+// Look at every file once. Call this about ten times per second.
 // Returns true once per change: at the first look that sees nothing new, so that a file is not read
-// while it is being written. A file that is missing or empty, which some editors cause for a
-// moment, delays this for a few looks, but never a later change of another file.
+// while it is being written. A file that is missing or empty, as some editors cause for a moment,
+// delays the report for a few looks, but never that of a later change of another file.
 bool watch_look(struct watch *watch);
 
 // Replace the set: after watch_begin, add the new files; watch_end removes all others.

@@ -21,11 +21,11 @@
 
 // A little less than 1/60 s, so that a display with its own rate sets the pace.
 #define FRAME_SECONDS   0.0163
-#define WATCH_SECONDS   0.1 // between two looks at the shader's files
-#define TRANSITION_STEP 0.1 // seconds: so that even a slow machine shows something between the ends
+#define WATCH_SECONDS   0.1  // between two looks at the shader's files
+#define TRANSITION_STEP 0.1  // seconds at most, so that even a slow machine shows steps in between
 #define TITLE_SECONDS   0.25 // between two changes of the title bar
-#define DIGITS          8.0f // height of a figure's digits at least, units of the page
-#define SHOWN_SECONDS   2.0  // that a moving picture is shown before something disturbs it
+#define DIGITS          8.0f // least height of a figure's digits, units of the page
+#define SHOWN_SECONDS   2.0  // for which a moving picture is shown before other work may disturb it
 
 // ---- Reload ----
 
@@ -35,8 +35,8 @@ static void add_file(void *watch, const char *path)
 }
 
 // Load the shaders again; each file that is read is added to the watch. While the driver compiles
-// them, and if one has an error, the last good picture stays, and the files of both versions are
-// watched for the correction.
+// the shaders, and if one has an error, the last good picture stays, and the files of both versions
+// are watched.
 static void reload(struct window *window)
 {
     const struct window_start *start = window->start;
@@ -73,9 +73,9 @@ static void reload(struct window *window)
 
 // ---- The loop ----
 
-// Adopt the size of the framebuffer, which on a high-density display is larger than the window's;
-// also while the window is hidden, because a ray may be selected before the window is seen. Returns
-// false while there is nothing to draw on.
+// Adopt the size of the framebuffer, which on a high-density display is larger than the window's.
+// Do so even while the window is hidden, because a ray may be selected before the window is seen.
+// Returns false while there is nothing to draw on.
 static bool update_size(struct window *window)
 {
     int width = 0, height = 0, units[2] = {0, 0};
@@ -167,8 +167,9 @@ bool window_turn(struct window *window)
     return !window->failed;
 }
 
-// While the user drags the window's edge, Windows and macOS keep GLFW from returning, and each size
-// on the way must be drawn at once. Damage at the same size can wait for the loop's next turn.
+// While the user drags the window's edge, Windows and macOS keep GLFW from returning, and each
+// intermediate size must be drawn at once. If the size is unchanged, drawing can wait for the
+// loop's next turn.
 static void show_size(void *to)
 {
     struct window *window = to;
@@ -252,7 +253,7 @@ struct window *window_open(struct context *context, const struct window_start *s
     window_input_open(&window->input, window->handle, show_size, window);
     window_show(window, start, false);
     while (gl->GetError() != GL_NO_ERROR)
-        continue; // errors from before the first frame
+        continue; // discard errors from before the first frame
     return window;
 }
 

@@ -282,8 +282,8 @@ static const char *const mistakes[][2] = {
     // Films and steps.
     {"--frames 0 -o %d.png", "--frames '0': must be a whole number of pictures"},
     {"--frames 100001 -o %d.png", "between 1 and 100000"},
-    {"--frames 5-3 -o %d.png", "its first and its last picture"},
-    {"--frames 3- -o %d.png", "its first and its last picture"},
+    {"--frames 5-3 -o %d.png", "the first and the last picture of a part"},
+    {"--frames 3- -o %d.png", "the first and the last picture of a part"},
     {"--frames 0-100000 -o %d.png", "counted from 0 to 99999"},
     {"--frames 1-2 --step walk -v plot -o %d.png", "requires --frames N"},
     {"--probe 99999999999999999999,0", "--probe '99999999999999999999,0'"},
@@ -309,7 +309,7 @@ static const char *const mistakes[][2] = {
     // Two options that exclude each other.
     {"--benchmark 3 -o a.png", "cannot be combined with --output"},
     {"--benchmark 3 --probe 1,1", "cannot be combined with --probe"},
-    {"--print-shader=shadertoy -v steps", "only the picture runs there"},
+    {"--print-shader=shadertoy -v steps", "only the picture view runs there"},
     {"--compare a.frag --benchmark 3", "cannot be combined with --benchmark"},
     {"--compare a.frag --print-shader", "cannot be combined with --print-shader"},
     // A comparison.

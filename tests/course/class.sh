@@ -44,7 +44,7 @@ for exercise in 00_2 03_2; do
     { echo '/* all * my own */'; sed 's/; *$/ ;  \/\/ mine/' "$(solution $exercise)"; } | hand_in 22 $exercise copied '^the published solution; as the'
     echo '#include "solutions/'"$(basename "$(solution $exercise)")"'"' | hand_in 23 $exercise copied '^the published solution; '
     for student in 24 25; do
-        { cat "$(solution $exercise)"; echo "#define TWIN // $student"; } | hand_in $student $exercise copied '^one text: 24, 25; as the solution'
+        { cat "$(solution $exercise)"; echo "#define TWIN // $student"; } | hand_in $student $exercise copied '^the same text: 24, 25; as the solution'
     done
     # Files that do not compile: one with a mistake, an empty one, and one that is not text.
     echo 'float sceneDistance(vec3 p) { return 1 +; }' | hand_in 26 $exercise wrong 'does not run: .*frag:1'
@@ -75,7 +75,7 @@ echo '#include "/etc/passwd"' | hand_in 29 03_2 wrong 'does not run: .*/etc/pass
 } | hand_in 30 00_2 wrong 'does not run: \|does not end'
 mkdir -p "$class/30"
 mkfifo "$class/30/03_2.frag"
-expect 30 03_2 wrong 'no file to read'
+expect 30 03_2 wrong 'not a regular file'
 
 marks() { FILES="$class/*/*.frag" EXERCISES='00_2 03_2' CSV=$scratch/marks.csv .make/marks.sh >"$scratch/said" 2>&1; }
 check 'a class of thirty is marked' marks || sed 's/^/# /' "$scratch/said"

@@ -31,10 +31,10 @@ check 'a row has a mark and a remark for each exercise' row "^\"Zoë \"\"O'Neil\
 check 'a wrong solution, in a folder whose name a spreadsheet would take for a formula' row "^\"'=cmd()\",wrong,\".* differ .*\",missing,\"\"$"
 check 'the published solution, however its blanks and comments are changed' row '^"copy",copied,"the published solution; '
 check 'the published solution, included' row '^"include",copied,"the published solution; '
-check 'the same text from two students' row '^"twin",copied,"one text: the other twin, twin; does not run: '
+check 'the same text from two students' row '^"twin",copied,"the same text: the other twin, twin; does not run: '
 check "two students' unsolved chapters are not copies" row '^"idle",wrong,".* differ '
 check "two files of one student are not copies" row '^"again",wrong wrong,"does not run'
-check 'a pipe is not waited for' row '^"pipe",wrong,"no file to read"'
+check 'a pipe is not waited for' row '^"pipe",wrong,"not a regular file"'
 check 'a file whose name has two lines is reported, and the others are marked' grep -q 'odd/00_2.*the name has a tab or a line break' "$scratch/said"
 check 'the table has no other rows' [ "$(wc -l <"$scratch/marks.csv")" = 10 ]
 check 'a file whose name has no exercise is reported' grep -q 'nameless/ball.frag: its name contains none of 00_2 00_3: not marked' "$scratch/said"
