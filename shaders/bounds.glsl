@@ -1,14 +1,14 @@
-// bounds.glsl - the interval of a ray inside a box, or inside several boxes: the rest of the ray needs no march.
+// bounds.glsl - the interval in which a ray is inside a box or several boxes; the rest of the ray needs no march.
 #include "scene.glsl"
 
 // The interval in which a ray is inside a box with axis-aligned faces.
 //   low, high  opposite corners, scene units, low < high in each component
 //   returns    (entry, exit) along the ray, entry >= 0; entry > exit if the ray misses the box
 //   formula    per axis the ray is between the two faces while t is between (low - o) / d and
-//              (high - o) / d; the intersection of the three intervals and of t >= 0
-// A zero component of the direction divides by zero. GLSL 3.30 leaves the result unspecified; where it is
-// an infinity, as IEEE 754 and later versions of GLSL require, the infinities order correctly. Only an
-// origin on the face itself then gives a NaN, so make the box a little larger than its contents.
+//              (high - o) / d; the result is the intersection of the three intervals and of t >= 0
+// A zero component of the direction divides by zero. GLSL 3.30 leaves the quotient unspecified; where it is
+// infinite, as IEEE 754 and later versions of GLSL require, the comparisons still come out right. Only an
+// origin in the plane of a face then gives a NaN, so make the box a little larger than its contents.
 // Source: T. L. Kay and J. T. Kajiya, 'Ray tracing complex scenes', SIGGRAPH 1986.
 vec2 boxInterval(Ray ray, vec3 low, vec3 high)
 {
@@ -23,7 +23,7 @@ vec2 boxInterval(Ray ray, vec3 low, vec3 high)
 // parts, each with its own bounds.
 //   a, b     (entry, exit); empty where entry >= exit
 //   returns  from the first entry to the last exit, including any gap between the two; the other interval,
-//            unchanged, if one is empty; an empty interval if both are
+//            unchanged, if one is empty; an empty interval if both are empty
 vec2 intervalUnion(vec2 a, vec2 b)
 {
     vec2 both = vec2(min(a.x, b.x), max(a.y, b.y));

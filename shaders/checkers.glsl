@@ -1,7 +1,7 @@
 // checkers.glsl - squares in two colours, averaged over the footprint of a pixel.
 #include "inputs.glsl"
 
-// The footprint of a pixel on a plane: the smallest rectangle along the pattern's axes that contains it.
+// The smallest rectangle, with its sides along the pattern's axes, that contains the footprint of a pixel on a plane.
 struct Footprint {
     vec2 middle; // of the rectangle, in units of the pattern
     vec2 width;  // its sides, > 0
@@ -10,13 +10,13 @@ struct Footprint {
 // The footprint of a pixel on the plane through a point, exact for a plane: it is found from the intersections of
 // the plane with the rays through the four corners of the pixel.
 //   p          point of the plane seen in the middle of the pixel, scene units
-//   direction  of its ray, length 1
+//   direction  of the ray through that middle, length 1
 //   normal     of the plane, length 1
 //   halfPixel  half the side of the pixel at p, perpendicular to the view direction, scene units, > 0
 //   bend       how much the direction changes from p to a point beside it, per scene unit: 1 / distance
 //              from the eye for rays that meet there, 0 for parallel rays
-//   axes       the pattern's two axes in the plane, each of length 1 / size of its unit; a point has the
-//              pattern coordinates p * axes
+//   axes       the pattern's two axes in the plane, each of length 1 / (scene units per unit of the pattern); a point
+//              has the pattern coordinates p * axes
 //   formula    corner = p + e - d dot(normal, e) / dot(normal, d), where e leads to a corner of the pixel,
 //              halfPixel (+-right +-up), and d = direction + bend e
 // If the ray through a corner passes above the horizon, there is no rectangle: the width is 1e6, and the pattern
@@ -40,13 +40,13 @@ Footprint planeFootprint(vec3 p, vec3 direction, vec3 normal, float halfPixel, f
     return Footprint(p * axes + (whole ? 0.5 * (low + high) : vec2(0.0)), whole ? max(high - low, 1e-4) : vec2(1e6));
 }
 
-// The share of squares of the first colour, those with even floor(x) + floor(y), in a rectangle: the mean
-// of 1 and 0 over it.
+// The share of a rectangle that squares of the first colour cover. These are the squares with an even
+// floor(x) + floor(y).
 //   middle, width  the rectangle, in sides of a square; widths > 0, not much less than 1e-4 of |middle|,
 //                  because a float cannot represent the position more precisely
 //   formula  1/2 + 1/2 X Y, with X the mean of s(x) = 1 where floor(x) is even, else -1:
 //            X = (S(x + w/2) - S(x - w/2)) / w, S(x) = 1 - |mod(x, 2) - 1| the integral of s; Y likewise
-//   exact: over a rectangle, the mean of a product of functions of x and of y is the product of their means
+//   Exact: over a rectangle, the mean of a product of functions of x and of y is the product of their means
 // Source: I. Quilez, 'Box-filtering of procedural patterns', in the form of the workshop's checkers.
 float checkers(vec2 middle, vec2 width)
 {

@@ -24,9 +24,10 @@ Block blockAt(vec3 p)
     return Block(p - PERIOD * vec3(cell.x, 0.0, cell.y), cellRandom(ivec3(cell, 9)));
 }
 
-// A tower is a shaft on a base, two boxes without bottoms, whose width and height are whole numbers of windows.
-// The result is how far a point lies outside their faces, per axis; negative inside.
-//   the largest component  exact in front of a face, a lower bound in front of an edge; exact depth inside
+// A tower is a shaft on a base: two boxes without bottoms, whose widths and heights are whole numbers of windows.
+// Each of the two functions returns how far a point lies outside the faces of its box, per axis; negative inside.
+//   the largest component  the exact distance in front of a face, a lower bound in front of an edge, the exact depth
+//                          inside
 vec3 outsideShaft(Block block)
 {
     vec3 r = fract(block.random * vec3(1.0, 256.0, 65536.0));
@@ -42,7 +43,7 @@ vec3 outsideBase(Block block)
 
 // The position relative to the foot of the lamp on the pavement. The two pavements of a street along z are
 // folded into one.
-//   local  of a Block
+//   local  from a Block
 vec3 pavement(vec3 local)
 {
     return vec3(abs(local.x) - 2.1, local.yz);
@@ -86,8 +87,8 @@ float cityDistance(vec3 p)
     return min(min(tower, wall + GAP), min(lampDistance(q), treeDistance(q)));
 }
 
-// The normal of the city, length 1, computed from its shapes: on a box it is that of the face; on a crown or a
-// post it points away from the axis.
+// The normal of the city, length 1, computed from the city's shapes: on a box, the normal of the face; on a crown or a
+// post, the direction away from the axis.
 //   block        of a point on the surface
 //   tower, lamp  whether the surface belongs to a tower or a lamp; otherwise it belongs to a tree
 // On a post, the component along z is never negative: the half that faces -z has the mirrored normals of the other.

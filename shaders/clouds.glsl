@@ -1,7 +1,7 @@
-// clouds.glsl - clouds all around the sky, from a panorama or from a layer over a round Earth; the light that they
+// clouds.glsl - the clouds of the whole sky, from a panorama or from a layer over a round Earth; the light that they
 // send; and the effect of the weather on sun and sky.
 //
-// Lengths are kilometres. docs/20_clouds_and_weather.md proves the claims made here.
+// Lengths are in kilometres. docs/20_clouds_and_weather.md proves the claims made here.
 #include "repetition.glsl" // cellRandom
 #include "sky.glsl"        // glow
 
@@ -17,8 +17,8 @@ const float QUARTER_TURN = 1.5707963;
 //   returns   km: altitude - height straight up, about sqrt(2 EARTH_RADIUS altitude) horizontally from the ground
 //   formula   c / (b + s) where b >= 0, else s - b; b = (R + height) climb, c = (altitude - height) (2 R +
 //             altitude + height), s = sqrt(b^2 + c): the positive root of t^2 + 2 b t - c. No two nearly equal numbers
-//             are subtracted: the error is a few units in the last place. Exact; it is not checked whether the ground
-//             hides the point
+//             are subtracted: the error is a few units in the last place. Exact; the function does not check whether
+//             the ground hides the point
 float layerHit(float height, float climb, float altitude)
 {
     float b = (EARTH_RADIUS + height) * climb;
@@ -27,9 +27,9 @@ float layerHit(float height, float climb, float altitude)
     return b >= 0.0 ? c / (b + s) : s - b;
 }
 
-// The direction in which an eye at the centre of the panorama sees the point where a ray meets a layer. With it, the
-// clouds overhead move when the eye does, and those at the horizon hardly do.
-//   eye       from the centre, km: x and z along the ground, a few km at most, y above it
+// The direction in which an eye at the centre of the panorama sees the point where a ray meets a layer. With this
+// direction in place of the ray's, the clouds overhead move when the eye does, and those at the horizon hardly move.
+//   eye       relative to the centre, km: x and z along the ground, a few km at most, y above it
 //   direction, altitude  as for layerHit
 //   returns   length 1
 vec3 seenFromMiddle(vec3 eye, vec3 direction, float altitude)
@@ -40,9 +40,9 @@ vec3 seenFromMiddle(vec3 eye, vec3 direction, float altitude)
 // ---- A panorama ----
 
 // The position of a direction in a panorama of the upper half of the sky.
-//   direction  length 1; below the horizon it counts as horizontal
-//   returns    u, turns from north through east, in [-1/2, 1/2], with a jump at the south; v, the root of the height
-//              above the horizon, where a quarter turn is 1
+//   direction  length 1; one below the horizon counts as horizontal
+//   returns    u, turns from north through east, in [-1/2, 1/2], with a jump at the south; v, the square root of the
+//              height above the horizon, where a quarter turn is 1
 vec2 panoramaPlace(vec3 direction)
 {
     float level = length(direction.xz);
@@ -51,7 +51,7 @@ vec2 panoramaPlace(vec3 direction)
                 sqrt(atan(max(direction.y, 0.0), max(level, 1e-20)) / QUARTER_TURN));
 }
 
-// How far a pixel reaches in a panorama, in u and in v: the slopes of panoramaPlace. They ignore the jump.
+// The size of a pixel in a panorama, in u and in v, from the slopes of panoramaPlace without its jump.
 //   width  angle of a pixel, radians
 //   formula  width / (2 pi cos h), width / (pi v), h the height; near the zenith and the horizon, where one of the two
 //            is infinite, the value one pixel's width away
@@ -70,12 +70,13 @@ struct Cloud {
 };
 
 // The clouds of a panorama.
-//   panorama  cover, above, 1/2 + side / 2; repeats in u
+//   panorama  cover, above and 1/2 + side / 2 as red, green and blue; repeats in u
 //   turned    turns by which the clouds have drifted, from east to north
 //   the other parameters are those of panoramaFootprint
 // High up, a texel is half a degree high but narrow, so the footprint is at least a large part of that height. At the
-// zenith a pixel reaches all around, and a mip level that coarse would average the whole panorama, including clouds at
-// the horizon. So a pixel counts as at most twice as many texels in u as in v, in a panorama 6.4 times as wide as high.
+// zenith a pixel contains every u, and a mip level that coarse would average the whole panorama, including clouds at
+// the horizon. So a pixel counts as at most twice as many texels in u as in v, in a panorama 6.4 times as wide as it is
+// high.
 Cloud cloudPanorama(sampler2D panorama, vec3 direction, float turned, float width)
 {
     vec2 place = panoramaPlace(direction), reach = panoramaFootprint(direction, max(width, 0.006 * place.y * place.y));
@@ -85,12 +86,12 @@ Cloud cloudPanorama(sampler2D panorama, vec3 direction, float turned, float widt
 }
 
 // The clouds of a thin layer over a round Earth.
-//   layer     its cover, seen from below; repeats in u, to the north, and in v, to the east
-//   eye       above the ground, km; x and z grow as the eye moves, and against the wind
+//   layer     cover of the layer, seen from below; repeats in u, to the north, and in v, to the east
+//   eye       position above the ground, km; x and z change as the eye moves and, against the wind, as the clouds drift
 //   direction, altitude  as for layerHit; below the horizon the direction counts as horizontal
 //   period    of the picture, km
 //   width     angle of a pixel, radians
-//   formula   the picture at eye + t direction, t of layerHit, averaged over width t / s, s the sine of the angle at
+//   formula   the picture at eye + t direction, t from layerHit, averaged over width t / s, s the sine of the angle at
 //             which the ray meets the sphere, about direction.y + t / EARTH_RADIUS; above = 9/10 cover and side = 0,
 //             because light passes through such a thin layer
 Cloud cloudLayer(sampler2D layer, vec3 eye, vec3 direction, float altitude, float period, float width)
@@ -103,7 +104,7 @@ Cloud cloudLayer(sampler2D layer, vec3 eye, vec3 direction, float altitude, floa
 }
 
 // One cloud in front of another.
-//   near, far  the far cloud counts where the near one lets light through
+//   near, far  the far cloud counts only as far as the near one lets light through
 Cloud cloudOver(Cloud near, Cloud far)
 {
     float left = 1.0 - near.cover;
@@ -119,7 +120,7 @@ Cloud cloudShare(Cloud cloud, float share)
 // ---- Light ----
 
 // The sine of the sun's height above the horizon of the clouds, which is lower than that of the ground.
-//   sinHeight  of the sun from the ground
+//   sinHeight  sine of the sun's height above the horizon of the ground
 //   altitude   of the clouds, km
 //   formula    sin(h + sqrt(2 altitude / EARTH_RADIUS)), h small
 float cloudSunHeight(float sinHeight, float altitude)
@@ -130,12 +131,13 @@ float cloudSunHeight(float sinHeight, float altitude)
 // The light that clouds send to the eye, times their cover.
 //   direction  of the ray, length 1
 //   sun        direction of the light, length 1
-//   sunlight   its light on a white surface perpendicular to its rays, linear
-//   skylight   of the whole sky on a horizontal white surface
-//   formula    skylight (cover + 3 above) / 4 + sunlight (x^2 X + y^2 Y + z^2 Z + lining), (x, y, z) the
-//              direction to the sun, right, up and away from the eye, whose squares add up to 1; X, Y, Z the light from
-//              the one of two opposite sides on which the sun is; lining = 2 glow(0.7) (4 cover (1 - cover) + above /
-//              8), because thin vapour scatters light nearly straight ahead. A model by eye
+//   sunlight   light of the sun on a white surface perpendicular to its rays, linear
+//   skylight   light of the whole sky on a horizontal white surface
+//   formula    skylight (cover + 3 above) / 4 + sunlight (x^2 X + y^2 Y + z^2 Z + lining), with (x, y, z) the
+//              components of the direction to the sun to the right, up and away from the eye, whose squares add up to
+//              1; X, Y, Z the light that arrives along each axis from the side on which the sun is; lining =
+//              2 glow(0.7) (4 cover (1 - cover) + above / 8), because thin vapour scatters light nearly straight ahead.
+//              The model is fitted by eye
 // Source: the squares as weights, J. Mitchell, G. McTaggart, C. Green, 'Shading in Valve's Source engine',
 // SIGGRAPH 2006.
 vec3 cloudLight(Cloud cloud, vec3 direction, vec3 sun, vec3 sunlight, vec3 skylight)
@@ -178,8 +180,8 @@ float sunLeft(float weather)
     return exp(-4.0 * overcastShare(weather));
 }
 
-// The visible share of the disc of sun or moon. Clouds scatter light in all directions long before they absorb it: in
-// bad weather there is light but no disc.
+// The visible share of the disc of the sun or the moon. Clouds scatter light in all directions long before they absorb
+// it: in bad weather there is light but no disc.
 //   formula  exp(-16 overcastShare)
 float discLeft(float weather)
 {
@@ -189,7 +191,7 @@ float discLeft(float weather)
 // The light of an overcast sky in a direction. The sky is three times as bright overhead as at the horizon.
 //   sinHeight  the direction's y; below 0 it counts as 0
 //   white      the light of a horizontal white surface under such a sky
-//   formula    9/7 white (1 + 2 y) / 3: a horizontal surface receives pi white from all of it together
+//   formula    9/7 white (1 + 2 y) / 3: a horizontal surface receives pi white from the whole sky
 // Source: P. Moon, D. E. Spencer, 'Illumination from a non-uniform sky', Illuminating Engineering 37 (1942);
 // CIE S 011 (ISO 15469), sky type 16.
 vec3 overcastSky(float sinHeight, vec3 white)
@@ -207,8 +209,8 @@ vec3 overcastWhite(vec3 clear)
 
 // The share of the light that haze and rain remove, per kilometre.
 //   weather  as for fairShare
-//   formula  0.02 in fair weather, growing to 0.1 in bad: Koschmieder's visual range, 3.9 divided by this, is 200 km
-//            and 39 km
+//   formula  0.02 in fair weather, growing to 0.1 in bad: Koschmieder's visual range, 3.9 / density, is 200 km and
+//            39 km
 float hazeDensity(float weather)
 {
     return 0.02 + 0.08 * overcastShare(weather);

@@ -1,17 +1,17 @@
-// coarse.glsl - the coarse pass: one march per block of 8 x 8 pixels finds a distance up to which none of
-// their rays meets anything.
+// coarse.glsl - the coarse pass: one march per block of 8 x 8 pixels finds a distance before which no ray of
+// the block meets anything.
 //
 // Before each picture the harness marches a cone for each block (VIEW 8), and the rays of the block's pixels
-// begin where it ended. The pass runs only in programs that call coarseStart.
+// begin where that march ended. The pass runs only in programs that call coarseStart.
 //
 // The pass loses nothing, for the following reason. The ball of radius r(t) = radius + t spread around the axis at t
 // contains the points at t of all rays of the block. Let the cone be at t, where the scene is at distance d. Let m be
-// at least coarseMargin up to t + d. Later, at t + h, a point of a ray is at most sqrt(r(t + h)^2 + 2 h ahead + h^2)
-// from the axis point at t. While that is at most d - m, the point lies in the empty ball of radius d, at
-// least m from its rim, so the scene is at least m away. The root grows with h, so the same holds for all
-// points in between. The step is the largest such h, the root of a quadratic; if there is none, the pass ends.
-// So at every t below the start, on every ray of the block, a march would have gone on. A march that
-// begins there misses no surface, and no point that it would have counted as a hit.
+// at least coarseMargin at all points up to t + d. Later, at t + h, a point of a ray is at most
+// sqrt(r(t + h)^2 + 2 h ahead + h^2) from the axis point at t. While that is at most d - m, the point lies in the
+// empty ball of radius d, at least m from its rim, so the scene is at least m away. The root grows with h, so the
+// same is true of all points in between. The step is the largest such h, the root of a quadratic; if there is none,
+// the pass ends. So at every t below the start, on every ray of the block, a march would have gone on. A march that
+// begins at the start misses no surface, and no point that it would have counted as a hit.
 //
 // Requirements for a chapter:
 // - sceneDistance is a lower bound, so that no surface is missed, and 1-Lipschitz, so that the margin is
@@ -44,7 +44,7 @@ uniform sampler2D iCoarse; // one texel per block of the picture, as coarseBlock
 #endif
 
 // Where the march of a pixel's ray may begin: every point before it is farther from the scene than
-// coarseMargin. A chapter whose march begins later for its own reason, such as a box, takes the larger value.
+// coarseMargin. A chapter whose march begins later for another reason, such as a box, takes the larger value.
 //   ray      from pixelRay, for the pixel iPixel, whose block is looked up
 //   returns  scene units along the ray, >= 0; 0 if the pass is switched off, and in an exported file,
 //            which has no pass
@@ -67,16 +67,16 @@ const float COARSE_FAR = 100.0;   // where the march ends at the latest, scene u
 struct Cone {
     Ray axis;
     float radius; // of the ball at t = 0: no ray starts farther from the origin of the axis
-    float spread; // how fast it grows, per scene unit: no direction differs from that of the axis by more
-    float ahead;  // how far in front of its origin, along the axis, a ray may start
+    float spread; // how fast the radius grows, per scene unit: no direction differs from that of the axis by more
+    float ahead;  // how far in front of the axis's origin, along the axis, a ray may start
 };
 
 // The cone around all rays through a rectangle of the picture, from the rays through its corners.
 //   low, high  opposite corners, pixels
 //   formula    origin and direction of the axis are the corners' means; radius, spread and ahead are their
 //              largest |o - origin|, |d - direction| and (o - origin) . direction. A ball that contains four
-//              points contains their convex hull; and the component along the axis of a unit vector between
-//              others is at least the smallest of theirs, so no direction is farther from the axis.
+//              points contains their convex hull; and a unit vector between others has a component along the
+//              axis that is at least the smallest of theirs, so no direction is farther from the axis.
 Cone coneOfPixels(vec2 low, vec2 high)
 {
     Ray corner[4];
@@ -98,7 +98,7 @@ Cone coneOfPixels(vec2 low, vec2 high)
     return cone;
 }
 
-// How far the cone may go on from t.
+// How far the cone's march may advance from t.
 //   distance  of the scene from the axis point at t, scene units
 //   returns   the largest h >= 0 with r(t + h)^2 + 2 h ahead + h^2 <= (distance - margin)^2, with the margin
 //             at t + distance; 0 if there is none

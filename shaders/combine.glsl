@@ -1,8 +1,8 @@
 // combine.glsl - combinations of volumes: from two distances to one.
 //
 // a and b are the signed distances of two volumes at one point, or lower bounds of them, scene units. If
-// both are 1-Lipschitz, so is each result. The result then never exceeds the distance to the surface that
-// it draws, inside or outside, and a march needs no step factor anywhere.
+// both are 1-Lipschitz, so is each result. The result then never exceeds the distance to the surface on
+// which it is 0, inside or outside, and a march needs no step factor anywhere.
 
 // The points in a or b.
 //   formula  min(a, b)
@@ -36,7 +36,7 @@ float opSubtraction(float a, float b)
 // The union with its crease filled in.
 //   k        width of the blend, scene units, > 0: where |a - b| >= k the result is min(a, b)
 //   formula  min(a, b) - h^3 / (6 k^2), h = max(k - |a - b|, 0)
-//   a lower bound of the distance to the surface that it draws, outside and inside. Its value is at most
+//   a lower bound of the distance to the surface on which it is 0, outside and inside. Its value is at most
 //   min(a, b) and at least min(a, b) - k / 6, which it reaches where a = b. It is twice continuously
 //   differentiable in a and b
 // Source: I. Quilez, 'Smooth minimum', the cubic one.
@@ -58,10 +58,10 @@ float smoothUnionShare(float a, float b, float k)
     return a < b ? lesser : 1.0 - lesser;
 }
 
-// The union with its crease filled in by a parabola, which costs one product less and fills it deeper.
+// The union with its crease filled in by a parabola, which costs two products less and fills the crease further.
 //   k        width of the blend, scene units, > 0: where |a - b| >= k the result is min(a, b)
 //   formula  min(a, b) - h^2 / (4 k), h = max(k - |a - b|, 0)
-//   a lower bound as opSmoothUnion is. Its value is at most min(a, b) and at least min(a, b) - k / 4, which
+//   a lower bound, as opSmoothUnion is. Its value is at most min(a, b) and at least min(a, b) - k / 4, which
 //   it reaches where a = b. It is once continuously differentiable in a and b, so a highlight shows where
 //   the blend begins
 // Source: I. Quilez, 'Smooth minimum', the quadratic one.

@@ -19,7 +19,7 @@ float pixelSpread()
 //            a pixel, and 0 gives march
 //   the other parameters and the result are those of march
 // Source: J. Amanatides, 'Ray tracing with cones', SIGGRAPH 1984; report, section 3.3, where pictures
-// without it sparkle.
+// without a cone sparkle.
 Hit marchCone(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {
     traceBegin(tMin, tMax);
@@ -41,7 +41,7 @@ Hit marchCone(Ray ray, float tMin, float tMax, float threshold, float spread, in
     return Hit(found, t);
 }
 
-// The visible part of a lamp with a width, found with a cone from the surface to the lamp: 1 if no step
+// The visible share of an extended lamp, found with a cone from the surface to the lamp: 1 if no step
 // found anything in the cone, 0 if a surface crosses the axis, in between if a surface is beside the axis.
 //   ray         from shadowRay
 //   tMin, tMax  the interval to search, scene units; an empty interval costs nothing and returns 1
@@ -49,7 +49,7 @@ Hit marchCone(Ray ray, float tMin, float tMax, float threshold, float spread, in
 //   spread      how fast it widens, per scene unit: the tangent of the lamp's angular radius
 //   formula     max((s - 0.2) / 0.8, 0), where s is the smallest of 1 and distance / (threshold + spread t)
 //               over the steps; a march that has reached s = 1/5 is dark and can end
-// It needs a lower bound of the distance. The greys are a model and measure no area.
+// The march needs a lower bound of the distance. The values in between are a model and measure no area.
 float coneReaching(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {
     traceBegin(tMin, tMax);

@@ -1,4 +1,4 @@
-// cover.glsl - the least number of evaluations that could have shown what the first march of a ray showed.
+// cover.glsl - the least number of evaluations that could have given the result of a ray's first march.
 //
 // One evaluation at t shows only that nothing lies between t - d and t + d, where d is the distance there.
 // docs/benchmark.md proves the claims made here.
@@ -25,8 +25,8 @@ bool onCoverGrid(vec2 pixel)
 //   ray      of the first march
 //   steps    of that march; 0 means no march, and the result is 0
 //   formula  with a distance that is 1-Lipschitz, t - d and t + d grow along the ray: the next t is
-//            the last one with t - d <= covered, found by halving. The value used for t + d is that at a
-//            point just behind it, so the result never exceeds the least number
+//            the last one with t - d <= covered, found by bisection. The value used for t + d is that at a
+//            point just beyond this t, so the result never exceeds the least number
 //   returns  at most steps + 1; steps + 1, more than the march took, shows a distance that is not 1-Lipschitz
 int fewestEvaluations(Ray ray, int steps)
 {

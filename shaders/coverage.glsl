@@ -14,9 +14,10 @@ float coverage(float inside, float width)
 }
 
 // The share of a pixel covered by stripes of period 1, centred at 1/2, 3/2 and so on.
+//   x        position across the stripes, in periods
 //   filled   the share of each period that a stripe fills, in [0, 1]
-//   width    exact, as coverage is, while width is at most filled and at most 1 - filled: then the pixel
-//            crosses at most one edge
+//   width    of the pixel. The result is as exact as coverage while width is at most filled and at most
+//            1 - filled: then the pixel crosses at most one edge
 float stripes(float x, float filled, float width)
 {
     return coverage(0.5 * filled - abs(fract(x) - 0.5), width);

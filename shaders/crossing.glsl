@@ -1,4 +1,4 @@
-// crossing.glsl - sphere tracing with a cone that ends at the same point wherever it began.
+// crossing.glsl - sphere tracing with a cone: a march that ends at the same point wherever it began.
 #include "march.glsl"
 
 const float CROSSING_SHORT = 0.7; // how far short of the distance a step ends, in thresholds
@@ -9,15 +9,15 @@ const float CROSSING_SHORT = 0.7; // how far short of the distance a step ends, 
 //   ray, tMin, tMax, threshold, spread, maxSteps  those of marchCone
 //   formula  a step is h = d - 0.7 r, so no point on the way is nearer to the scene than 0.7 r. The first
 //            step with d < r is the last. There the gap is g = d - r, and one step earlier it was
-//            g' = h - 0.3 r', where r' is the threshold there. The straight line between the two is 0 at
-//            t + h g / (g' - g)
-//   returns  found, and t: that point, on the near side of the surface. Exact where distance and threshold
+//            g' = h - 0.3 r', where r' is the threshold there. The straight line between the two gaps is
+//            0 at t + h g / (g' - g)
+//   returns  found, and that point as t, on the near side of the surface. Exact where distance and threshold
 //            change at a constant rate, as in front of a wall. If the second derivative of d is at most K and g
 //            falls by at least s per unit, the error is at most K h^2 / (8 s). If the first step is
 //            a hit, t is tMin
-// It needs a lower bound of the distance: then it steps over no surface, and over nothing that comes nearer to the
-// ray than 0.988 r. march and marchCone promise 0.86 r. It may or may not meet a surface that comes within r but
-// no nearer than 0.988 r. It takes a few more steps than marchCone: one to three in front of a wall.
+// The march needs a lower bound of the distance: then it steps over no surface, and over nothing that comes nearer
+// to the ray than 0.988 r. march and marchCone promise 0.86 r. A surface that comes within r but no nearer than
+// 0.988 r may or may not be found. The march takes a few more steps than marchCone: one to three in front of a wall.
 // docs/16_fewer_steps.md has the proofs.
 Hit marchCrossing(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {

@@ -33,13 +33,14 @@ vec2 sheetPoint(Ray ray)
     return ray.origin.xy;
 }
 
-// The side of a pixel, units.
+// The side of a pixel, in units of the sheet.
 float sheetPixel()
 {
     return 2.0 / iResolution.y;
 }
 
-// The width of a line, units.
+// The width of a line, in units of the sheet.
+//   width  in pixels of a picture 360 pixels high
 float penWidth(float width)
 {
     return width * max(iResolution.y / 360.0, 1.0) * sheetPixel();
@@ -101,7 +102,7 @@ void dashes(vec2 p, vec2 a, vec2 b, float width, vec3 colour)
         line2(p, a, b, width, colour);
 }
 
-// An arrow with its tip at b; nothing if a equals b.
+// An arrow with its tip at b. Nothing is drawn if a and b are less than a pixel apart.
 void arrow(vec2 p, vec2 a, vec2 b, float width, vec3 colour)
 {
     if (distance(a, b) < sheetPixel())

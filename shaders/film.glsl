@@ -2,7 +2,7 @@
 // curve, contrast, dither. Light is linear except where contrast and dither say otherwise.
 // docs/15_the_picture.md proves the claims made here.
 
-// A picture with a longer or shorter exposure.
+// The light of a picture with a longer or shorter exposure.
 //   light    linear, >= 0
 //   stops    any value; each stop doubles the light
 //   formula  2^stops light
@@ -16,7 +16,7 @@ vec3 exposed(vec3 light, float stops)
 //   focalLength  half screen heights, > 0
 //   returns      1 in the middle
 //   formula      cos^4 a = (f^2 / (f^2 + |screen|^2))^2, where a is the angle between ray and axis. Exact for
-//                a flat film behind a small opening, without a lens that corrects it
+//                a flat film behind a small opening, with no lens to correct the loss
 float cosineFourth(vec2 screen, float focalLength)
 {
     float square = focalLength * focalLength;
@@ -29,7 +29,7 @@ float cosineFourth(vec2 screen, float focalLength)
 //            1/2 is bright, and the picture would become dark); clamped first
 //   amount   in [0, 1]: 0 leaves v unchanged, 1 is smoothstep(0, 1, v)
 //   formula  v + amount (3 v^2 - 2 v^3 - v): 0, 1/2 and 1 are fixed, the slope in the middle is
-//            1 + amount / 2 and at both ends 1 - amount. Increasing in v
+//            1 + amount / 2 and at both ends 1 - amount. It increases with v
 vec3 contrast(vec3 v, float amount)
 {
     return mix(clamp(v, 0.0, 1.0), smoothstep(0.0, 1.0, v), amount);
@@ -42,7 +42,7 @@ vec3 contrast(vec3 v, float amount)
 //            0.82 gamma / (1 - (0.18 / white)^gamma)
 //   white    > 1: the light that becomes 1, as does all brighter light
 //   formula  (1 + kappa / w) / (1 + kappa / h), h = x^gamma, w = white^gamma, with kappa = 0.82 g w /
-//            (0.18 w - g), g = 0.18^gamma, so that middle grey, 0.18, is unchanged. Increases with x from 0 to 1
+//            (0.18 w - g), g = 0.18^gamma, so that middle grey, 0.18, is unchanged. It increases with x from 0 to 1
 // Source: the shape of F. Hurter and V. C. Driffield's curves (1890), as a logistic function.
 vec3 filmCurve(vec3 x, float gamma, float white)
 {

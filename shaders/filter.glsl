@@ -14,7 +14,7 @@ vec2 placeInPixel(vec2 screen)
 
 // An offset with the density of a tent, 1 - |x| between -1 and 1, in each coordinate.
 //   place    u in [0, 1], per coordinate
-//   formula  sqrt(2 u) - 1 up to u = 1/2, else 1 - sqrt(2 - 2 u). Variance 1/6
+//   formula  sqrt(2 u) - 1 up to u = 1/2, else 1 - sqrt(2 - 2 u). The variance is 1/6
 vec2 tentOffset(vec2 place)
 {
     vec2 side = sqrt(2.0 * min(place, 1.0 - place));
@@ -25,7 +25,7 @@ vec2 tentOffset(vec2 place)
 //   share    in (0, 1); clamped to [1e-6, 1 - 1e-6]
 //   formula  sqrt(2) inverseErf(x), x = 2 share - 1, where inverseErf(x)^2 is about sqrt(c^2 - l / 0.147) - c,
 //            l = log(1 - x^2), c = 2 / (0.147 pi) + l / 2. The error is less than 0.003 within two standard
-//            deviations and 0.02 at the ends. Exactly 0 at 1/2
+//            deviations and 0.02 at the ends. The result is exactly 0 at 1/2
 // Source: S. Winitzki, 'A handy approximation for the error function and its inverse' (2008).
 float gaussianQuantile(float share)
 {
@@ -37,7 +37,7 @@ float gaussianQuantile(float share)
 
 // The offset of a sample for one of three filters.
 //   place    in the unit square
-//   kernel   0 box: the pixel itself. 1 tent, over 2 x 2 pixels. 2 Gaussian of standard deviation 0.5
+//   kernel   0 a box, the pixel itself; 1 a tent over 2 x 2 pixels; 2 a Gaussian of standard deviation 0.5 pixels
 //   returns  from the pixel's middle, pixels
 vec2 filterOffset(vec2 place, int kernel)
 {
@@ -48,8 +48,8 @@ vec2 filterOffset(vec2 place, int kernel)
 // The point of the screen that the ray of this sample passes through, instead of the middle of its cell.
 //   screen   as passed to pixelRay
 //   kernel   as for filterOffset
-//   jitter   true if the sample lies anywhere in its cell, false if in the middle of the cell. A single sample
-//            stays in the pixel's middle
+//   jitter   true if the sample lies anywhere in its cell, false if it lies in the middle of the cell. A single
+//            sample stays in the pixel's middle
 //   dimension  of pixelRandom; this one and the next are used
 //   returns  a point of the screen, for perspectiveRay
 vec2 filteredScreen(vec2 screen, int kernel, bool jitter, int dimension)

@@ -1,8 +1,8 @@
 // fog.glsl - light on its way through fog: the light that is lost, and the light that the fog itself sends to the eye.
 //
 // The fog's density is the share of the light that it removes per scene unit: a ray loses the share density dt over
-// the length dt. It is uniform, or thins with the height y as exp(-y / scale). docs/15_the_picture.md proves the
-// claims made here.
+// the length dt. The density is uniform or falls with the height y as exp(-y / scale). docs/15_the_picture.md proves
+// the claims made here.
 #include "sky.glsl"
 
 // The mean of exp(-s) over s in [0, x].
@@ -21,7 +21,7 @@ float meanDecay(float x)
 //   climb    how y grows along the ray: the direction's y, in [-1, 1]
 //   t        length of the piece, scene units, >= 0
 //   density  at y = 0, per scene unit, >= 0
-//   scale    the height over which the density falls to 1 / e, scene units, > 0; 1e6 is a uniform fog
+//   scale    the height over which the density falls to 1 / e, scene units, > 0; 1e6 gives a uniform fog
 //   formula  density exp(-low / scale) t meanDecay(|climb| t / scale), low the y of the lower end. Exact
 float fogDepth(float height, float climb, float t, float density, float scale)
 {
@@ -30,9 +30,9 @@ float fogDepth(float height, float climb, float t, float density, float scale)
 }
 
 // The optical depth of a whole ray to the sky.
-//   the other parameters are those of fogDepth
+//   the parameters are those of fogDepth
 //   formula  density exp(-height / scale) scale / climb, the limit as t tends to infinity. If climb is less than 1e-5,
-//            also below the horizon, 1e-5 replaces it. Exact otherwise
+//            as it is below the horizon, 1e-5 replaces it. Exact otherwise
 float skyFogDepth(float height, float climb, float density, float scale)
 {
     return density * exp(-height / scale) * scale / max(climb, 1e-5);
@@ -55,10 +55,10 @@ float fogPlace(float height, float climb, float depth, float density, float scal
     return depth / start * (abs(x) < 0.02 ? series : quotient);
 }
 
-// The light of the fog in a direction: the light that it sends to the eye where it is too thick to see through.
+// The light of the fog in a direction: the light that the fog sends to the eye where it is too thick to see through.
 //   direction, toSun  length 1
 //   ambient  light of the sky that the fog scatters, the same in all directions
-//   sun      light of the sun that it scatters straight ahead
+//   sun      light of the sun that the fog scatters straight ahead
 //   g        the mean cosine of the scattering angle, in [0, 1); mist 0.6 to 0.9
 //   formula  ambient + sun glow(direction, toSun, g): light scattered once, with Henyey and Greenstein's
 //            share for each angle. A model: light scattered more than once is only in the ambient part
@@ -70,9 +70,9 @@ vec3 fogLight(vec3 direction, vec3 toSun, vec3 ambient, vec3 sun, float g)
 // The light that remains after a path through fog, plus the light of the fog.
 //   light    from behind the fog, linear
 //   fog      light of the fog, from fogLight
-//   depth    optical depth between, >= 0
+//   depth    optical depth of the path, >= 0
 //   formula  light e^-depth + fog (1 - e^-depth). Exact if the fog's light is the same along the path
-// Source: P. Bouguer 1729, J. H. Lambert 1760, A. Beer 1852; with the second part H. Koschmieder 1924.
+// Source: P. Bouguer 1729, J. H. Lambert 1760, A. Beer 1852; the second term: H. Koschmieder 1924.
 vec3 throughFog(vec3 light, vec3 fog, float depth)
 {
     return mix(fog, light, exp(-depth));
@@ -95,12 +95,13 @@ float lampInFog(vec3 from, vec3 direction, float far, float size)
 }
 
 // lampInFog for a lamp whose light is a beam.
-//   beam     its direction, length 1
+//   beam     direction of the beam, length 1
 //   wide     width of the beam at the lamp (x), and its growth per scene unit (y)
+//   the other parameters are those of lampInFog
 //   returns  per scene unit
 //   formula  exp(-q^2) / (w sin), w the beam's width where the ray is nearest to its axis, q the distance there, in
-//            widths, sin the sine of the angle between the two, at least 0.045; it fades out where that point lies
-//            behind the eye or beyond far. A model by eye
+//            widths, sin the sine of the angle between ray and beam, at least 0.045; the beam fades out where that
+//            point lies behind the eye or beyond far. A model by eye
 float beamInFog(vec3 from, vec3 direction, vec3 beam, vec2 wide, float far)
 {
     float nearest = -dot(from, direction), facing = dot(beam, direction), across = max(1.0 - facing * facing, 0.002);

@@ -22,7 +22,7 @@ float schlickShare(float facing, float straight)
 //   returns  in [0, 1]; 1 where no light is transmitted: total reflection, eta^2 (1 - facing^2) >= 1
 //   formula  with c = facing, g = sqrt(1 - eta^2 (1 - c^2)), the cosine behind the boundary:
 //            1/2 ((eta c - g) / (eta c + g))^2 + 1/2 ((c - eta g) / (c + eta g))^2
-// It is the same from both sides: fresnelShare(c, eta) = fresnelShare(g, 1 / eta). At c = 1 it is
+// The share is the same from both sides: fresnelShare(c, eta) = fresnelShare(g, 1 / eta). At c = 1 it is
 // ((1 - eta) / (1 + eta))^2.
 // Source: A. Fresnel, 'Mémoire sur la loi des modifications que la réflexion imprime à la lumière polarisée'
 // (1823); M. Born, E. Wolf, 'Principles of Optics', section 1.5.

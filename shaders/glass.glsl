@@ -1,15 +1,15 @@
-// glass.glsl - rays through clear solids: the march with a sign, the start of the next ray, and the light
-// that remains.
+// glass.glsl - rays through clear solids: a march outside or inside a solid, the start of the next ray, and
+// the light that remains.
 //
-// The scene distance must be negative inside a solid and bound the depth there: on both sides, |distance| is
-// at most the distance to the surface. docs/17_glass.md proves the claims and says which shapes satisfy this.
+// The scene distance must be negative inside a solid and bound the depth there: on both sides, |distance| must
+// be at most the distance to the surface. docs/17_glass.md proves the claims and says which shapes satisfy this.
 #include "fresnel.glsl"
 #include "march.glsl"
 
 // march of march.glsl on either side of a surface: it marches through side * distanceAt.
 //   side     1 if the ray starts outside, as in march; -1 if it starts inside a solid, where the distance is
 //            negative
-//   the other parameters and the result are those of march; found means that it reached the surface from this side
+//   the other parameters and the result are those of march; found means that the march reached the surface
 Hit marchSide(Ray ray, float side, float tMin, float tMax, float threshold, int maxSteps)
 {
     traceBegin(tMin, tMax);
@@ -43,16 +43,17 @@ struct Parting {
 //   normal     of the surface, outwards, length 1
 //   side       the side from which the ray comes, as for marchSide
 //   index      of refraction of the solid divided by that of its surroundings, > 0
-//   formula    Snell's law, with GLSL's refract, the normal on the side of the ray and the ratio of the index before
-//              the surface to that behind it; fresnelShare. A ray that does not come from the given side is treated
-//              as grazing: from inside it is mirrored completely
+//   formula    Snell's law by GLSL's refract, which takes the normal on the side of the ray and the ratio of the index
+//              before the surface to that behind it; the mirrored share by fresnelShare. A ray that does not come from
+//              the given side is treated as grazing: it is mirrored completely
 Parting partingAt(vec3 direction, vec3 normal, float side, float index)
 {
     float eta = side > 0.0 ? 1.0 / index : index, facing = clamp(-side * dot(normal, direction), 0.0, 1.0);
     return Parting(fresnelShare(facing, eta), reflect(direction, normal), refract(direction, side * normal, eta));
 }
 
-// The ray that continues from a surface, refracted or mirrored. It starts off the surface, on the side where it goes.
+// The ray that continues from a surface, refracted or mirrored. It starts beside the surface, on the side to which it
+// goes.
 //   p          where a march ended, scene units
 //   normal     of the surface there, outwards, length 1
 //   direction  of the new ray, length 1
@@ -90,7 +91,7 @@ struct Passage {
 //   maxSteps  limit on the evaluations
 //   formula   steps of max(|distance|, least). If two successive distances d, e differ in sign, there is a boundary
 //             between them, found by linear interpolation; the cosine to its normal is |d - e| divided by the step,
-//             exact for a flat face and an exact distance. So no normal is computed
+//             exact for a flat face and an exact distance, so no normal has to be computed
 Passage straightThrough(Ray ray, float far, float index, float least, int maxSteps)
 {
     traceBegin(0.0, far);
@@ -102,7 +103,7 @@ Passage straightThrough(Ray ray, float far, float index, float least, int maxSte
         float distance = distanceAt(ray.origin + t * ray.direction);
         traceStep(steps, t, distance);
         steps++;
-        float part = clamp(distance / (distance - before), 0.0, 1.0); // of the stride, on this side of the boundary
+        float part = clamp(distance / (distance - before), 0.0, 1.0); // share of the stride beyond the boundary
         bool crossed = (before < 0.0) != (distance < 0.0);
         float facing = clamp(abs(distance - before) / stride, 0.0, 1.0);
         passage.share *= crossed ? 1.0 - fresnelShare(facing, 1.0 / index) : 1.0;

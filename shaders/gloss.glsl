@@ -2,8 +2,8 @@
 //
 // A surface that is rough on a small scale consists of many tiny mirrors. A model determines how many of them
 // send a lamp's light to the eye: those whose normal is halfway between the directions to lamp and eye.
-// Each highlight is, per steradian, the light sent towards the eye for light of 1 from one direction, on
-// a surface whose mirrors reflect all light. The caller multiplies by the share that they really reflect, as
+// Each function returns the light that is sent towards the eye, per steradian, for light of 1 from one direction
+// on a surface whose mirrors reflect all light. The caller multiplies by the share that they really reflect, as
 // given by schlickShare, and by the cosine of Lambert's law.
 
 const float GLOSS_PI = 3.14159265;
@@ -20,8 +20,8 @@ vec3 halfway(vec3 toLight, vec3 toEye)
 //   normal, toLight, toEye  length 1 each
 //   exponent  n, >= 0: the larger, the smaller the highlight
 //   formula   (n + 2) (n + 4) / (8 pi (n + 2^(-n/2))) dot(normal, halfway)^n. With this factor the surface
-//             reflects all light that arrives along the normal, and less of light from any other direction
-//             (equally much only for n = 0)
+//             reflects all light that arrives along the normal, and less of the light from any other direction,
+//             except for n = 0, where it reflects all light
 // Source: J. F. Blinn, 'Models of light reflection for computer synthesized pictures', SIGGRAPH 1977;
 // the factor by F. Giesen, 2009. The usual factor (n + 8) / (8 pi) reflects up to 1.08 of the light.
 float blinnPhongGloss(vec3 normal, vec3 toLight, vec3 toEye, float exponent)
@@ -50,7 +50,7 @@ float ggxDensity(float cosine, float alpha)
 // the product of both cosines. The product cancels, which leaves each cosine beside the root of the other.
 //   cosLight, cosEye  of the angles to the normal, in [0, 1], not both 0
 //   formula  1 / (2 (cosLight root(cosEye) + cosEye root(cosLight))), root(c) = sqrt(a^2 + (1 - a^2) c^2)
-// Source: E. Heitz, 'Understanding the masking-shadowing function', JCGT 3 (2014): heights correlated.
+// Source: E. Heitz, 'Understanding the masking-shadowing function', JCGT 3 (2014): its height-correlated form.
 float smithVisibility(float cosLight, float cosEye, float alpha)
 {
     float a2 = alpha * alpha;
@@ -64,9 +64,9 @@ float smithVisibility(float cosLight, float cosEye, float alpha)
 //   roughness  in (0, 1]; its square is alpha, so that equal steps look equal. Below 0.05 the rounding of
 //              floats is visible
 //   formula    ggxDensity smithVisibility; 0 if lamp or eye is behind the surface
-// It never reflects more light than arrives. It leaves out the light that meets a second mirror: the rougher the
-// surface, the more light it leaves out, except at grazing angles (over 80 degrees). build/tests/measure gloss prints
-// how much.
+// The model never reflects more light than arrives. It leaves out the light that meets a second mirror: the rougher
+// the surface, the more light is left out, except at grazing angles (over 80 degrees). build/tests/measure gloss
+// prints how much.
 float ggxGloss(vec3 normal, vec3 toLight, vec3 toEye, float roughness)
 {
     float cosLight = dot(normal, toLight), cosEye = dot(normal, toEye);

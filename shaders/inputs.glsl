@@ -7,12 +7,12 @@ uniform float iTime;           // time of the picture, seconds
 uniform float iTimeDelta;      // time since the previous picture, seconds
 uniform int   iFrame;          // index of the picture, from zero
 uniform vec4  iMouse;          // the mouse, in pixels: last position with a button held, and position of the press
-uniform vec4  iDate;           // year, month from zero, day, seconds of the day
+uniform vec4  iDate;           // year, month from zero, day, seconds since midnight
 uniform vec3  iCameraPosition; // the eye, scene units
 uniform vec3  iCameraRight;    // the camera's orthonormal basis:
 uniform vec3  iCameraUp;       //   right x up = -forward
 uniform vec3  iCameraForward;  //
-uniform vec2  iPixelOffset;    // from this draw's pixels to the picture's: tile and sample
+uniform vec2  iPixelOffset;    // from the pixels of this draw call to the picture's: tile and sample
 uniform int   iSample;         // index of this sample in its pixel, from zero
 uniform int   iSamples;        // samples per pixel: the square of --samples
 

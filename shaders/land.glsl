@@ -21,7 +21,7 @@ vec3 groundNoise(vec2 p)
 
 // Ridges: the lines on which noise is 1/2 become crests.
 //   noise    from groundNoise
-//   returns  value in [0, 1], which rounding may leave by 2e-6, and gradient, which is never longer than 2
+//   returns  value in [0, 1], but for rounding by up to 2e-6, and gradient, which is never longer than 2
 //            VALUE_STRETCH
 //   formula  1 - |2 n - 1|
 // Source: F. K. Musgrave, in D. S. Ebert and others, 'Texturing and modeling' (1994), ridged multifractals.
@@ -32,8 +32,8 @@ vec3 ridged(vec3 noise)
 }
 
 // A round hill on a plain.
-//   p        from the top
-//   radius   along both axes, > 0; outside it the height is 0
+//   p        relative to the top
+//   radius   along each axis, > 0; outside the ellipse the height is 0
 //   height   of the top
 //   returns  height, gradient, which is never longer than HILL_STRETCH height / the smaller radius
 //   formula  height max(1 - |p / radius|^2, 0)^2
@@ -54,9 +54,9 @@ vec3 higherGround(vec3 a, vec3 b)
 
 // A lower bound of the distance at which a gap has closed, if after a length s it closes by at most slope + growth s
 // per unit of length.
-//   gap      between the ray and the ground now; negative below the ground, and so is the result
+//   gap      between the ray and the ground here; negative below the ground, and so is the result
 //   slope    how much the gap can close per unit of length here, > 0
-//   growth   of that slope, per unit of length, >= 0
+//   growth   of this slope, per unit of length, >= 0
 //   returns  scene units: the s with slope s + growth s^2 / 2 = gap; a lower bound of the distance
 //   formula  2 gap / (slope + sqrt(slope^2 + 2 growth gap))
 float wayToClose(float gap, float slope, float growth)

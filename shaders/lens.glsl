@@ -10,13 +10,13 @@ vec2 sampleDisc(int dimension)
     return iSamples > 1 ? discPoint(sampleSquare(dimension)) : vec2(0.0);
 }
 
-// The ray through a point of the lens that meets the ray through its centre where the latter is in focus.
+// The ray through a point of the lens that meets the ray through the lens's centre where the latter is in focus.
 //   ray      through the centre of the lens, from perspectiveRay
 //   place    point of the lens, in radii of the aperture: in the unit disc, from discPoint; (0, 0) returns ray
 //   radius   of the aperture, scene units, >= 0
 //   focus    distance of the plane in focus, along the view direction, scene units, > 0
-//   formula  with P the ray's point on that plane and A the point of the lens: from A towards P. A thin lens
-//            sends all light that it receives from P to one point of the film
+//   formula  from A towards P, where P is the point of ray on the plane in focus and A the point of the lens. A thin
+//            lens sends all light that it receives from P to one point of the film
 Ray lensRay(Ray ray, vec2 place, float radius, float focus)
 {
     vec3 inFocus = ray.direction * (focus / dot(ray.direction, iCameraForward));

@@ -2,9 +2,9 @@
 // the trace.
 //
 // The harness sets VIEW: 0 the picture, 1 normals, 2 depth, 3 steps, 4 a slice, 5 a plot below it,
-// 6 the numbers of a probe, 7 evaluations of the scene and how few of the march would be enough, 8 the
-// coarse pass of coarse.glsl, one pixel per block of the picture, 9 the positions of points in the picture,
-// 10 where a camera that moves comes to rest.
+// 6 the numbers of a probe, 7 the evaluations of the scene and the least number that the march would have
+// needed, 8 the coarse pass of coarse.glsl, one pixel per block of the picture, 9 the positions of points in
+// the picture, 10 where a camera that moves comes to rest.
 
 #include "cover.glsl"
 #include "inputs.glsl"
@@ -35,7 +35,7 @@ void main()
 
 uniform vec2 iProbe; // centre of the pixel whose ray is marched, in pixels
 
-// Row 0, column k: t and distance at step k, steps of the first march, why it ended. Row 1: position, and
+// Row 0, column k: t and distance at step k, the steps of the first march, why it ended. Row 1: position, and
 // the distance below which the surface would have counted as found there.
 // Row 2: steps of all marches, evaluations, the interval of the first march.
 void main()
@@ -77,7 +77,7 @@ void main()
 {
     traceReset(-1);
     pixelRay(vec2(0.0)); // a chapter may prepare its scene there
-    fragColour = vec4(cameraStop(iCameraPosition, iCameraTo) - iCameraTo, 1.0); // small enough for half floats
+    fragColour = vec4(cameraStop(iCameraPosition, iCameraTo) - iCameraTo, 1.0); // fits into half floats
 }
 
 #else
@@ -85,7 +85,7 @@ void main()
 void main()
 {
     traceReset(-1);
-    vec2 pixel = gl_FragCoord.xy + iPixelOffset; // less than half a pixel from the pixel's centre
+    vec2 pixel = gl_FragCoord.xy + iPixelOffset; // of the sample: less than half a pixel from the pixel's centre
     iPixel = ivec2(floor(pixel));
     Ray ray = pixelRay(screenPosition(pixel));
     vec3 colour = rayColour(ray);

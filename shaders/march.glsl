@@ -9,14 +9,14 @@ struct Hit {
 
 // March along a ray: t_0 = tMin, t_(n+1) = t_n + distanceAt(point at t_n).
 //   ray        direction of length 1
-//   tMin, tMax where to start and the distance travelled that ends the search, scene units;
+//   tMin, tMax where to start, and the distance along the ray that ends the search, scene units;
 //              an empty interval (tMin >= tMax) is a miss that costs nothing
 //   threshold  a distance below which the surface counts as reached, scene units, > 0
 //   maxSteps   evaluations before the march gives up, at least 1
 //   returns    found: the first point of the march at which the scene is nearer than threshold. It is never
 //              behind a flat surface, and at most threshold / |cos a| in front of it along the ray, where a is
 //              the angle between the ray and the normal
-// It needs a scene distance that is a lower bound of the true one; then it steps over no surface.
+// The march needs a scene distance that is a lower bound of the true one; then it steps over no surface.
 // Source: J. C. Hart, 'Sphere tracing', The Visual Computer 12 (1996); report, section 1.4.
 Hit march(Ray ray, float tMin, float tMax, float threshold, int maxSteps)
 {

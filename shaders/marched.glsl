@@ -1,9 +1,9 @@
 // marched.glsl - the march of the selected ray, step by step: a table that is complete before the
 // picture is drawn.
 //
-// For a shader that reads it, the harness marches the selected pixel's ray first, once for the whole picture, as it
-// does for the slice and for --probe: all three show one march. If every pixel marched this ray, each pixel would
-// cost as many additional evaluations as the march has steps.
+// For a shader that reads this table, the harness marches the selected pixel's ray first, once for the whole picture,
+// as it does for the slice and for --probe: all three show the same march. If every pixel marched this ray, each pixel
+// would cost as many additional evaluations as the march has steps.
 #include "scene.glsl"
 
 const int MARCHED_STEPS = 64; // the table has at most this many steps

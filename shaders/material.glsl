@@ -7,7 +7,7 @@
 struct Material {
     vec3  colour;    // share of the light that enters and returns in all directions, linear RGB, in [0, 1]
     vec3  straight;  // share that the surface mirrors at normal incidence, in [0, 1]: 0.04 for glaze, wax and
-                     // skin, the colour of a metal
+                     // skin; for a metal, its colour
     float roughness; // in [0, 1]: 0 a mirror, 1 fully matt; as in gloss.glsl
 };
 

@@ -20,7 +20,7 @@ const float MONTH = 29.530589;
 const float OBLIQUITY = 23.4393;
 
 // The rotation of directions to the stars' frame: starDirection = skyTurn(hour, latitude) * direction.
-//   hour      solar time on the day of the March equinox; any value; 24 more is a day later
+//   hour      solar time on the day of the March equinox; any value: adding 24 gives the next day
 //   latitude  degrees, north positive
 //   returns   a rotation
 //   formula   rows cos L M + sin L W, sin L M - cos L W, P, with L = 360 (hour - 12) / SIDEREAL_DAY degrees,
@@ -34,13 +34,13 @@ mat3 skyTurn(float hour, float latitude)
     return transpose(mat3(c * meridian + s * west, s * meridian - c * west, pole));
 }
 
-// The direction to the moon, which moves along the sun's path among the stars. Its own path is inclined to the
-// sun's by 5 degrees, which is left out.
+// The direction to the moon, as if the moon moved along the sun's path among the stars. The true path is inclined to
+// the sun's by 5 degrees.
 //   hour, latitude  as for sunDirection in sky.glsl
-//   declination     of the sun, degrees, in [-23.43, 23.43], in the half of the year in which it rises
+//   declination     of the sun, degrees, in [-23.43, 23.43], in the half of the year in which it increases
 //   age             days since new moon; any value
 //   formula         the sun's longitude l has sin l = sin declination / sin OBLIQUITY; the moon's is
-//                   l + 360 age / MONTH. Both are turned so that at this hour the sun is where it should be
+//                   l + 360 age / MONTH. Both are turned so that the sun has its position for this hour
 vec3 moonDirection(float hour, float latitude, float declination, float age)
 {
     float lean = radians(OBLIQUITY), sine = clamp(sin(radians(declination)) / sin(lean), -1.0, 1.0);
@@ -54,11 +54,11 @@ vec3 moonDirection(float hour, float latitude, float declination, float age)
 
 // ---- Stars ----
 
-// The sphere is divided into 8 STAR_RINGS^2 cells of equal solid angle, and each has one star. Seen from above its
+// The sphere is divided into 8 STAR_RINGS^2 cells of equal solid angle, and each has one star. Seen from above the
 // pole, each hemisphere is a disc of STAR_RINGS rings of equal width; ring i has 4 (2 i + 1) cells.
 const int STAR_RINGS = 64;
 
-// The light of the faintest star, in units times steradians: of magnitude 7.61, 2.54e-6 10^(-0.4 7.61) lx.
+// The light of the faintest star, of magnitude 7.61, in the unit of light times steradians: 2.54e-6 10^(-0.4 7.61) lx.
 const float STAR_FAINTEST = 5.75e-13;
 
 // The light of the stars, averaged over the footprint of a pixel.
@@ -70,16 +70,16 @@ const float STAR_FAINTEST = 5.75e-13;
 //              = 1.761 width. A share u of all stars is brighter than STAR_FAINTEST u^(-0.4 / 0.51): the number
 //              of stars grows as 10^(0.51 m) with the magnitude m. The colour is that of a black body,
 //              exp(14388 (1/0.55 - 1/wavelength) (1/T - 1/6500)) by Wien, T from 3,300 to 14,000 K
-// Only the four cells nearest to the direction are evaluated, all at once, one in each component: a spot reaches less
-// far than half of a cell's side. Beyond the pole is the same ring, half a turn further, and beyond the equator the
-// same ring of the other hemisphere.
+// Only the four cells nearest to the direction are evaluated, all at once, one in each component, because the radius of
+// a spot is less than half of a cell's side. Beyond the pole lies the same ring, half a turn further, and beyond the
+// equator the same ring of the other hemisphere.
 // Source: counts of the Hipparcos catalogue (ESA 1997); 2.54e-6 lx: C. W. Allen, 'Astrophysical quantities' (1973).
 vec3 starLight(vec3 direction, float width)
 {
     float rings = float(STAR_RINGS), radius = min(1.761 * width, 0.3536 / rings);
     float place = rings * sqrt(1.0 - min(abs(direction.z), 1.0)), outer = floor(place + 0.5);
     vec4 ring = vec4(outer - 1.0, outer - 1.0, outer, outer);
-    vec4 past = step(rings, ring), before = step(ring, vec4(-0.5)); // the equator, the pole
+    vec4 past = step(rings, ring), before = step(ring, vec4(-0.5)); // 1 beyond the equator; 1 beyond the pole
     ring = clamp(ring, 0.0, rings - 1.0);
     vec4 count = 8.0 * ring + 4.0;
     bool pole = direction.x == 0.0 && direction.y == 0.0; // atan(0, 0) is undefined
@@ -108,9 +108,10 @@ vec3 starLight(vec3 direction, float width)
 // The light of the band of stars that are too faint to be seen singly, with the dark clouds of dust in it.
 //   direction  in the stars' frame
 //   returns    linear light, above the air: up to about 3e-7
-//   formula    a bell of the latitude to the band's plane, brighter towards the constellation Sagittarius, times noise
+//   formula    a bell curve of the height above the band's plane, brighter towards the constellation Sagittarius, times
+//              noise
 // Source: the plane and the middle, 'The new I.A.U. system of galactic coordinates', Monthly Notices of the Royal
-// Astronomical Society 121 (1960), for 2000; the brightness is by eye.
+// Astronomical Society 121 (1960), for the equinox of 2000; the brightness is chosen by eye.
 vec3 milkyWay(vec3 direction)
 {
     const vec3 POLE = vec3(-0.86767, -0.19808, 0.45598), MIDDLE = vec3(-0.05488, -0.87344, -0.48384);
@@ -128,10 +129,10 @@ vec3 milkyWay(vec3 direction)
 //   sinHeight  of the sun
 //   returns    0.74 at noon, 0.051 at sunset, 4.5e-8 when the sun is at least 18.3 degrees below the horizon
 //   formula    27 10^(-0.4 m), m in magnitudes per square second of arc; with d the sun's depth in degrees minus 5:
-//              m = 11.84 + 1.518 d - 0.057 d^2 for 0 <= d <= 13.32, the top of this parabola; for d < 0 the last
-//              factor is 0.102, so that the sun sets at 6.8; by day 3.9 + 2.9 exp(-height / 5.7)
+//              m = 11.84 + 1.518 d - 0.057 d^2 for 0 <= d <= 13.32, where this parabola is highest; for d < 0 the
+//              last coefficient is +0.102, so that m is 6.8 at sunset; by day m = 3.9 + 2.9 exp(-height / 5.7)
 // Source: F. Patat, O. S. Ugolnikov, O. V. Postylyakov, 'UBVRI twilight sky brightness at ESO-Paranal', Astronomy
-// and Astrophysics 455 (2006), table 1, for depths from 5 to 15 degrees; the rest is by eye.
+// and Astrophysics 455 (2006), table 1, for depths from 5 to 15 degrees; the rest is fitted by eye.
 float zenithLight(float sinHeight)
 {
     float cosine = sqrt(max(1.0 - sinHeight * sinHeight, 0.0));
@@ -157,7 +158,7 @@ float faintestSeen(float light)
 // through more of it.
 //   sinHeight  of the direction
 //   returns    4.5e-8 overhead, 5.84 times as much at the horizon
-//   formula    4.5e-8 / sqrt(1 - (1 - sinHeight^2) / 1.0302) times a slightly green white, where 1.0302 is
+//   formula    4.5e-8 / sqrt(1 - (1 - sinHeight^2) / 1.0302) times a slightly blue white, where 1.0302 is
 //              (6466.5 / 6371)^2, the square of the layer's radius in radii of the Earth
 // Source: P. J. van Rhijn (1921).
 vec3 airglow(float sinHeight)
@@ -209,17 +210,18 @@ vec2 moonPlace(vec3 seen, float radius)
 // The light of the moon's face above the air, lit by the sun and the Earth.
 //   face     textures/moon.png, linear: the albedo / 0.40, and the slopes to the right and upwards, with 0 for
 //            -0.30 and 1 for 0.30
-//   place    from moonPlace; outside the disc it counts as on its rim
+//   place    from moonPlace; a point outside the disc counts as on the rim
 //   width    of the pixel, in radii
 //   toSun    in the moon's frame, length 1
 //   relief   factor by which the slopes are exaggerated
 //   returns  linear light: about 1.3 at full moon
 //   formula  10.2 a (2 m / (m + n) exp(-0.94 g) + 1.2e-4 e), a the albedo, m and n the cosines of the ground to the
-//            sun and to the eye (Lommel and Seeliger), g the angle between the two, e the light of the Earth's own
+//            sun and to the eye (Lommel and Seeliger), g the angle between the two, e the light of the Earth in its own
 //            phase: (sin b + (pi - b) cos b) / pi, b = pi - g. Because of the slopes, m decreases by the rise of the
 //            ground towards the sun
-// Source: H. Seeliger, 'Zur Photometrie zerstreut reflectirender Substanzen', Munich 1888; exp(-0.94 g) by eye after
-// the light of the whole moon in C. W. Allen, 'Astrophysical quantities' (1973), within 10 % from 0 to 150 degrees.
+// Source: H. Seeliger, 'Zur Photometrie zerstreut reflectirender Substanzen', Munich 1888; exp(-0.94 g) is fitted by
+// eye to the light of the whole moon in C. W. Allen, 'Astrophysical quantities' (1973), within 10 % from 0 to 150
+// degrees.
 vec3 moonFace(sampler2D face, vec2 place, float width, vec3 toSun, float relief)
 {
     place /= max(length(place), 1.0);

@@ -136,7 +136,7 @@ const vec3 OCTAVE_SHIFT = vec3(17.17, 5.31, 29.73);
 
 // The sum of the first count terms of 1, ratio, ratio^2 and so on.
 //   count    >= 1
-//   formula  added term by term; its limit is 1 / (1 - ratio) if |ratio| < 1
+//   formula  added term by term; the limit for a large count is 1 / (1 - ratio) if |ratio| < 1
 float geometricSum(float ratio, int count)
 {
     float sum = 0.0, term = 1.0;
@@ -148,7 +148,7 @@ float geometricSum(float ratio, int count)
 }
 
 // A sum of octaves of value noise, each finer and weaker than the one before, divided by the sum of their weights.
-//   count       of octaves, >= 1
+//   count       number of octaves, >= 1
 //   gain        weight of an octave divided by that of the one before, in (0, 1]
 //   lacunarity  cells per unit of an octave divided by those of the one before, >= 1
 //   returns     value in [0, 1) up to rounding, about 1e-6; gradient, never longer than octaveStretch

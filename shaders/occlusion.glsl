@@ -12,7 +12,7 @@
 // ---- Closed forms ----
 
 // The openness of a surface above an endless level ground, with nothing else in the scene.
-//   normal   length 1, y upwards
+//   normal   length 1, with y upwards
 //   returns  (1 + normal.y) / 2: 1 for a floor, 1/2 for a wall, 0 for a ceiling. Exact
 float openOverGround(vec3 normal)
 {
@@ -20,7 +20,7 @@ float openOverGround(vec3 normal)
 }
 
 // The openness of a level floor in front of a wall of infinite length.
-//   away     from the wall, >= 0, scene units
+//   away     distance from the wall, >= 0, scene units
 //   height   of the wall, > 0, scene units
 //   formula  (1 + cos a) / 2, where a is the elevation of the wall's top above the horizon. Exact
 float openBeforeWall(float away, float height)
@@ -64,9 +64,9 @@ vec3 cosineDirection(vec3 normal, vec2 square)
     return point.x * right + point.y * up + sqrt(max(1.0 - dot(point, point), 0.0)) * normal;
 }
 
-// The share of side x side rays that reach the sky: one at a random point in each cell of the unit square. Of
-// the k x k samples of a pixel, each takes a different one of the k x k parts of the cell, and each ray uses a
-// different order, so all samples together have one ray in each of (k side)^2 cells.
+// The share of side x side rays that reach the sky: one ray for a random point in each of side x side cells of the
+// unit square. Of the k x k samples of a pixel, each takes a different one of the k x k parts of the cell, and each
+// ray uses a different order, so all samples together have one ray in each of (k side)^2 cells.
 //   place      on the surface, or a little above it, scene units
 //   normal     length 1
 //   offset     how far above the surface the rays start, as for shadowRay
@@ -74,7 +74,7 @@ vec3 cosineDirection(vec3 normal, vec2 square)
 //   side       >= 0; with 0, no ray is marched and the result is 1
 //   threshold, maxSteps  of the march
 //   dimension  the first of 2 side^2 dimensions of pixelRandom that are used
-// Its mean over the samples of a pixel tends to the openness.
+// The mean of this share over the samples of a pixel tends to the openness.
 float skyReaching(vec3 place, vec3 normal, float offset, float far, int side, float threshold,
                   int maxSteps, int dimension)
 {
@@ -125,11 +125,11 @@ float openByTaps(vec3 place, vec3 normal, float reach, float strength)
 
 // ---- Light from nearby surfaces ----
 
-// The light of a point that sees a share of the sky, and otherwise surfaces that are lit as it is.
-//   open     its openness, in [0, 1]
+// The light of a point that sees a share of the sky, and in all other directions surfaces with the same light.
+//   open     openness of the point, in [0, 1]
 //   colour   share of the light that those surfaces reflect, in [0, 1] per channel
 //   bounces  0 for only the sky's light, 1 to include the light of one reflection, 2 that of all reflections
-//   returns  light, where an open floor has 1
+//   returns  light, relative to that of an open floor
 //   formula  open, open (1 + b), or open / (1 - b), b = colour (1 - open). The last is 1 if colour is 1 and
 //            open at least 1e-6, and 0 if open is 0; exact in a hollow ball with a hole
 vec3 skyAndBounces(float open, vec3 colour, int bounces)

@@ -8,10 +8,10 @@
 const int HANDLE_POINTS = 24;
 
 uniform sampler2D iMarch;                   // column k, row 1: the position of step k, as a probe wrote it
-uniform int iHandlePoints;                  // how many points to find instead; 0: the steps of the march
+uniform int iHandlePoints;                  // how many points to find; 0 to find the steps of the march instead
 uniform vec3 iHandlePoint[HANDLE_POINTS];   // scene units
 
-// The point that column k looks for.
+// The point whose position column k contains.
 vec3 placeWanted(int k)
 {
     return iHandlePoints > 0 ? iHandlePoint[min(k, HANDLE_POINTS - 1)] : texelFetch(iMarch, ivec2(k, 1), 0).xyz;
@@ -26,11 +26,11 @@ vec3 placeMissed(vec3 p, vec2 pixel, float along)
 }
 
 // The position in the picture whose ray passes through a point.
-//   returns  x and y in pixels, 1 if there is such a ray in front of the camera, else 0
-//   formula  Gauss-Newton steps from the middle. Let q be the offset from the ray to the point, and a, b the changes
-//            of the ray at the point's distance for one pixel to the right and one up, all perpendicular to the ray;
-//            a step minimises |q - x a - y b|. A parallel view converges at once; in other views a step is as long
-//            as the sine of the remaining angle and never overshoots
+//   returns  x and y in pixels; 1 if there is such a position and the point is in front of the camera, else 0; 0
+//   formula  Gauss-Newton steps from the middle of the picture. Let q be the offset from the ray to the point, and a, b
+//            the changes of the ray at the point's distance for one pixel to the right and one up, all perpendicular
+//            to the ray; a step minimises |q - x a - y b|. A parallel view converges at once; in other views a step is
+//            as long as the sine of the remaining angle and never overshoots
 vec4 placeOf(vec3 p)
 {
     vec2 pixel = 0.5 * iResolution.xy;

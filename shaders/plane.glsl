@@ -52,7 +52,7 @@ float sdTriangle(vec2 p, vec2 a, vec2 b, vec2 c)
     return min(inside.x, min(inside.y, inside.z)) > 0.0 ? -nearest : nearest;
 }
 
-// The largest number of corners of a polygon.
+// The largest number of corners that a polygon may have.
 const int POLYGON_CORNERS = 16;
 
 // A polygon of 3 to 16 corners, convex or not. Exact everywhere. If its sides cross, the interior is where a
@@ -67,14 +67,14 @@ const int POLYGON_CORNERS = 16;
 // 5 (1962), for the crossings.
 float sdPolygon(vec2 p, vec2 corner[POLYGON_CORNERS], int count)
 {
-    float nearest = 1e20; // its square
+    float nearest = 1e20; // square of the smallest distance so far
     bool inside = false;
     vec2 a = corner[count - 1];
     for (int i = 0; i < count; i++) {
         vec2 b = corner[i], way = b - a, from = p - a;
         vec2 away = from - clamp(dot(from, way) / dot(way, way), 0.0, 1.0) * way;
         nearest = min(nearest, dot(away, away));
-        bool begins = a.y <= p.y, ends = b.y <= p.y; // at most as high as p
+        bool begins = a.y <= p.y, ends = b.y <= p.y; // is this end at most as high as p?
         float left = way.x * from.y - way.y * from.x; // > 0 where p is on the left of the side
         inside = inside != (begins != ends && begins == left > 0.0);
         a = b;
@@ -96,7 +96,7 @@ float sdArc(vec2 p, float radius, float halfAngle)
     return abs(length(within ? q : q - radius * end) - (within ? radius : 0.0)); // one root for both
 }
 
-// A figure enlarged by a width: all points within this distance of it. From a segment or an arc it makes
+// A figure enlarged by a radius: all points within this distance of the figure. A segment or an arc becomes
 // a stroke with round ends.
 //   d        distance of the figure, scene units
 //   radius   >= 0, scene units

@@ -1,8 +1,8 @@
 // plot.glsl - the distance along one ray as a graph, below the slice, with the steps on it.
 //
 // Slice and graph share the axis along the ray. A step is drawn at (t, distance) and extends to the right by its
-// height, so a march is a staircase. The line behind a step falls by 1 per unit of the ray, as fast as a
-// distance can: where the graph dips below it, the scene's function is not a lower bound of the distance.
+// height, so a march is a staircase. From each step a line falls by 1 per unit of the ray, as fast as a
+// distance can: where the graph dips below this line, the scene's function is not a lower bound of the distance.
 #include "signs.glsl"
 #include "inputs.glsl"
 #include "scene.glsl"
@@ -92,7 +92,7 @@ vec3 plotSteps(vec3 colour, vec2 pixel)
     return mix(colour, SLICE_HERE, here);
 }
 
-// Mark the end of the march with a ring for a hit or a cross for a miss, and with its name.
+// Mark the end of the march, with a ring for a hit and a cross for any other end, and name it.
 vec3 plotEnd(vec3 colour, vec2 pixel, float cell)
 {
     float pen = slicePen();
@@ -140,7 +140,7 @@ vec3 plotAxis(vec3 colour, vec2 pixel, float cell)
     return mix(colour, SLICE_INK, max(mark, wordCover(SIGN_DISTANCE, pixel - cell * name)));
 }
 
-// Draw the dashed line below which a distance counts as a hit, and its name where that does not touch the axis.
+// Draw the dashed line below which a distance counts as a hit, and its name if the line is clear of the axis.
 vec3 plotLimit(vec3 colour, vec2 pixel, float cell)
 {
     float pen = slicePen();

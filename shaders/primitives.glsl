@@ -13,7 +13,7 @@ float sdSphere(vec3 p, float radius)
     return length(p) - radius;
 }
 
-// The half-space under a plane. Exact everywhere.
+// The half-space behind a plane. Exact everywhere.
 //   p        point, scene units
 //   normal   length 1, pointing out of the solid
 //   height   of the plane along its normal, scene units
@@ -41,7 +41,7 @@ float sdBox(vec3 p, vec3 halfSize)
     return boxDistance(abs(p) - halfSize);
 }
 
-// The twelve edges of a box, as square beams. Exact outside; inside, where three beams meet in a corner, a lower
+// The twelve edges of a box, as square beams. Exact outside; inside, where three beams meet at a corner, a lower
 // bound of the depth.
 //   p         point, scene units
 //   halfSize  half of the outer width, height and depth, scene units

@@ -46,10 +46,10 @@ float planIndex(float index, float rise)
     return sqrt((index * index - rise * rise) / (1.0 - rise * rise));
 }
 
-// A narrow beam of white light and an equilateral prism, seen from above at one point.
+// The light of a narrow white beam at one point near an equilateral prism, seen from above.
 struct Beam {
     float white; // share of the beam that passes this point in front of the prism, in [0, 1]
-    vec2  waves; // behind it: the wavelengths that arrive lie between these two, micrometres; equal if none do
+    vec2  waves; // behind the prism: the wavelengths that arrive lie between these two, micrometres; equal if none do
 };
 
 // The light at a point, from a beam that enters the middle of one side of an upright prism whose plan is an
@@ -61,13 +61,13 @@ struct Beam {
 //   rise       as for planIndex
 //   halfWidth  of the beam, scene units, small compared with radius
 //   formula    the light at q has left the second side at a point that depends on its wavelength. prismIndex for
-//              the direction from there gives the index, and the index the point: three iterations, for each edge
-//              of the beam. In the middle of the beam the wavelength is right to 0.0005. The beam is assumed to be as
-//              wide behind the prism as in front of it, which is true for green
+//              the direction from there gives the index, and the index gives the point: three iterations, for each
+//              edge of the beam. In the middle of the beam the wavelength is right to 0.0005. The beam is assumed to be
+//              as wide behind the prism as in front of it, which is true for green
 Beam prismBeam(vec2 q, float radius, vec2 glass, float rise, float halfWidth)
 {
     const vec2 first = vec2(-0.8660254, 0.5), second = vec2(0.8660254, 0.5); // normals of the two sides
-    const vec2 rising = vec2(0.5, 0.8660254), falling = vec2(0.5, -0.8660254); // along them: to the edge, from it
+    const vec2 rising = vec2(0.5, 0.8660254), falling = vec2(0.5, -0.8660254); // along the sides: to the edge, from it
     vec2 enter = q - radius * first, leave = q - radius * second;
     float green = planIndex(cauchyIndex(glass, 0.55), rise), entering = 0.5 * green;
     float cosine = sqrt(1.0 - entering * entering);
@@ -81,7 +81,7 @@ Beam prismBeam(vec2 q, float radius, vec2 glass, float rise, float halfWidth)
         for (int i = 0; i < 3; i++) {
             float inside = entering / index;
             vec2 way = inside * rising - sqrt(1.0 - inside * inside) * first;
-            vec2 to = enter - way * (1.5 * radius / dot(way, second)); // from where it leaves
+            vec2 to = enter - way * (1.5 * radius / dot(way, second)); // from the point where the light leaves
             to += (edge == 0 ? halfWidth : -halfWidth) * vec2(-to.y, to.x) / length(to);
             index = prismIndex(entering, clamp(dot(normalize(to), falling), 0.0, 1.0), radians(60.0));
         }

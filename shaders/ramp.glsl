@@ -1,11 +1,11 @@
-// ramp.glsl - an ordered scale of colours, for a number at each pixel.
+// ramp.glsl - an ordered scale of colours that shows a number at each pixel.
 
 // Compiled only with views.glsl, and in an exported file, which has no views.
 #if !defined(VIEW) || (VIEW >= 1 && VIEW <= 3)
 
-// Colours, encoded for the screen, from night blue over teal and green to yellow. The lightness
+// Colours, encoded for the screen, from night blue through teal and green to yellow. The lightness
 // L of OKLab rises linearly from 0.17 to 0.95 while the hue turns from 285 to 105 degrees: equal
-// steps look equal, and the order is also visible in greys, so it does not depend on telling red from green.
+// steps look equal, and the order is also visible in greys, so nobody needs to tell red from green.
 // Source of OKLab: B. Ottosson, 'A perceptual color space for image processing' (2020).
 const vec3 RAMP[9] = vec3[9](
     vec3(0.057, 0.020, 0.187), vec3(0.036, 0.131, 0.331), vec3(0.010, 0.263, 0.395),

@@ -33,7 +33,7 @@ float cellOfLimited(float x, float period, float first, float last)
 }
 
 // The position relative to the nearest cell from first to last: only those cells contain copies. Beyond the
-// ends it leaves [-period / 2, period / 2].
+// ends, the position leaves [-period / 2, period / 2].
 //   f(opRepeatLimited(x))  as f(opRepeat(x)): exact outside if f is, the volume fits in its cell
 //            and f(-x) = f(x)
 //   formula  x - period cellOfLimited(x)
@@ -78,7 +78,7 @@ float cellWall(float x, float period)
     return 0.5 * period + abs(opRepeat(x, period));
 }
 
-// cellWall if only the cells from first to last contain copies; it grows beyond the ends.
+// cellWall if only the cells from first to last contain copies; the distance grows beyond the ends.
 //   formula  period / 2 + |opRepeatLimited(x)|
 float cellWallLimited(float x, float period, float first, float last)
 {
@@ -98,7 +98,7 @@ float cellOthers(float x, float period, float reach)
     return period - abs(opRepeat(x, period)) - reach;
 }
 
-// A number in [0, 1) that looks random. It is the same for the same cell on every machine, because it comes from an
+// A number in [0, 1) that looks random. A cell has the same number on every machine, because it comes from an
 // integer hash and not from a sine. Its 24 bits are independent, so fract(64 cellRandom), which drops the first 6, is a
 // second number.
 //   cell  integers; exchanging the last two has no effect, so in a plane vary the first and one of the others

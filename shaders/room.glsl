@@ -14,11 +14,11 @@ uniform vec3 iCameraTo; // where the camera is going, scene units
 
 // Where a camera that moves straight from one point to another comes to rest.
 //   from, to  scene units
-//   returns   to, if there is room for a camera; else a point with room near it, so that the camera slides along the
-//             ground; else from. The room never falls below min(0, room at from): a camera that begins below the
+//   returns   to, if there is room for a camera; else a point nearby that has room, so that the camera slides along
+//             the ground; else from. The room never falls below min(0, room at from): a camera that begins below the
 //             ground can leave it, but goes no deeper
-//   formula   Newton's method for room = least along the gradient g: p - room g / |g|^2, 1 % farther against
-//             rounding. One step is enough on a plane
+//   formula   Newton's method for room = least along the gradient g: p - room g / |g|^2, with steps 1 % longer because
+//             of rounding. One step is enough on a plane
 vec3 cameraStop(vec3 from, vec3 to)
 {
     const float H = 0.004; // step of the differences, scene units

@@ -6,7 +6,7 @@
 //   a, b     integers, 0 <= a < 2^20, b >= 1
 //   formula  floor((a + 1/2) / b): the half keeps the quotient away from integers by 1 / (2 b), which is more
 //            than its rounding error. Exact
-// A graphics processor divides integers one by one, but floats eight at once.
+// llvmpipe divides integers one at a time, but floats eight at a time.
 int wholeQuotient(int a, int b)
 {
     return int((float(a) + 0.5) / float(b));
@@ -16,25 +16,26 @@ int wholeQuotient(int a, int b)
 //   dimension  one for each quantity that is sampled, >= 0: for each dimension and pixel, the order begins
 //              at a different random cell, so that the mean over pixels is also right for pairs of quantities
 //   returns    from 0 to iSamples - 1
-//   formula    (23 iSample + r) mod iSamples, where r depends on the pixel and the dimension: a permutation, since
-//              no square number below 23^2 has a factor in common with 23. So samples that are neighbours in the
+//   formula    (23 iSample + r) mod iSamples, where r depends on the pixel and the dimension: a permutation,
+//              because no square number below 23^2 has a factor in common with 23. Samples that are neighbours in the
 //              pixel do not get neighbouring cells
 int sampleCell(int dimension)
 {
-    float turn = cellRandom(ivec3(iPixel, -1 - dimension)); // negative, so that it is never mistaken for a pixel's y
+    float turn = cellRandom(ivec3(iPixel, -1 - dimension)); // negative: no pixel's y has this value
     int cell = 23 * iSample + int(turn * float(iSamples));
     return cell - iSamples * wholeQuotient(cell, iSamples);
 }
 
-// A number of this sample between 0 and 1, one in each of iSamples equal parts; a single sample lies anywhere.
+// A number between 0 and 1 for this sample. The samples of a pixel have one number in each of iSamples equal parts; a
+// single sample may have any number.
 //   dimension  of sampleCell and of pixelRandom
 float sampleLine(int dimension)
 {
     return (float(sampleCell(dimension)) + pixelRandom(dimension)) / float(iSamples);
 }
 
-// A point of this sample in the unit square, one in each of its k x k cells, iSamples = k^2; a single sample
-// lies in the middle.
+// A point in the unit square for this sample. The samples of a pixel have one point in each of k x k cells of the
+// square, iSamples = k^2; a single sample has the middle.
 //   dimension  of sampleCell; pixelRandom is called for this one and the next
 vec2 sampleSquare(int dimension)
 {

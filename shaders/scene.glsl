@@ -14,7 +14,7 @@ Ray pixelRay(vec2 screen);
 // inside.
 float sceneDistance(vec3 p);
 
-// The colour of the ray: red, green, blue in [0, 1]; the screen clamps values outside.
+// The colour of the ray: red, green, blue in [0, 1]; main clamps values outside.
 vec3 rayColour(Ray ray);
 
 // Why a march ended.
@@ -26,7 +26,7 @@ const int END_STEPS  = 3; // the steps ran out
 // The record of the rays of this pixel, filled in by distanceAt, march and normalAt, and shown by the
 // views and by --probe. If nothing reads it, the compiler removes it.
 struct Trace {
-    int   evaluations;    // of sceneDistance, whoever called it
+    int   evaluations;    // calls of distanceAt
     int   allSteps;       // of all marches
     int   marches;        // marches begun
     vec2  interval;       // of the first march: from tMin to tMax

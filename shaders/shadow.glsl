@@ -15,7 +15,7 @@ Ray shadowRay(vec3 p, vec3 normal, vec3 toLight, float offset)
 
 // How far a shadow ray needs to search: not at all if the surface faces away from the light, because Lambert's
 // law then gives 0 anyway.
-//   normal, toLight  of any length: only the sign of their product matters
+//   normal, toLight  of any length: only the sign of their dot product matters
 //   far      scene units, >= 0: to the lamp, or to where the scene ends
 //   returns  far if dot(normal, toLight) > 0, else 0, with which lightReaching and coneReaching take no
 //            step

@@ -35,8 +35,8 @@ float wordCover(int word, vec2 place)
     return signCover(word, ivec2(floor(place)));
 }
 
-// 10^n, for n in [0, 9], as a product of powers whose exponents are powers of 2. A loop over the digits would be copied
-// into each number of a picture; llvmpipe then needs minutes to compile four numbers.
+// 10^n, for n in [0, 9], as a product of powers whose exponents are powers of 2. The compiler would copy a loop over
+// the digits into each number of a picture, and llvmpipe would need minutes to compile four numbers.
 int powerOfTen(int n)
 {
     return ((n & 1) != 0 ? 10 : 1) * ((n & 2) != 0 ? 100 : 1) * ((n & 4) != 0 ? 10000 : 1) * (n > 7 ? 100000000 : 1);
@@ -44,7 +44,7 @@ int powerOfTen(int n)
 
 // How many digits a number has, at least one before the point.
 //   number    >= 0
-//   decimals  how many of the digits are behind the point
+//   decimals  how many of the digits follow the point
 int digitsOf(int number, int decimals)
 {
     int digits = 1;
@@ -53,7 +53,7 @@ int digitsOf(int number, int decimals)
     return max(digits, decimals + 1);
 }
 
-// The width in cells of number / 10^decimals: 4 per digit, 2 for the point, 4 for the sign, without the last
+// The width in cells of number / 10^decimals: 4 for each digit and for the minus, 2 for the point, less the last
 // gap.
 int numberWidth(int number, int decimals)
 {
@@ -66,7 +66,7 @@ int numberWidth(int number, int decimals)
 float numberCover(int number, int decimals, vec2 place)
 {
     int cell = signCell(), wide = 4 * cell;
-    ivec2 at = ivec2(floor(place)) + ivec2(cell / 2, 0); // half of the gap, left of the first sign
+    ivec2 at = ivec2(floor(place)) + ivec2(cell / 2, 0); // half a gap lies to the left of the first sign
     if (at.x < 0 || at.x >= (numberWidth(number, decimals) + 1) * cell)
         return 0.0;
     if (number < 0 && at.x < wide)

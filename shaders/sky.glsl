@@ -9,7 +9,7 @@
 // -4 alone, from 0.1 for green, would give 0.043, 0.1, 0.244.
 const vec3 RAYLEIGH = vec3(0.04, 0.1, 0.25);
 
-// Radius of the Earth in thicknesses of the shell: with it the air mass at the horizon is
+// Radius of the Earth in thicknesses of the shell: with this value the air mass at the horizon is
 // sqrt(2 EARTH + 1) = 38.
 const float EARTH = 721.5;
 
@@ -34,16 +34,16 @@ vec3 transmittance(vec3 depth, float mass)
     return exp(-depth * mass);
 }
 
-// The light that the air scatters once towards the eye, as a share of the sunlight above the air, the
-// same in each direction of scattering.
+// The light that the air scatters once towards the eye, as a share of the sunlight above the air, if it
+// scattered equally in all directions.
 //   depth     optical depth of the air overhead, per channel, > 0
 //   viewMass  air mass of the ray from the eye
 //   sunMass   air mass of the ray from the sun
 //   formula   v (exp(-depth s) - exp(-depth v)) / (v - s), v = viewMass, s = sunMass; where they
 //             differ by less than 0.02, s + 0.02 replaces v in the quotient: an error of at most
 //             about depth / 50 of the light
-//   It assumes that every slanting path is v or s times the vertical one, at every height: exact over a flat
-//   Earth, a model with the air masses of a round one.
+//   The formula assumes that every slanting path is v or s times the vertical one, at every height: exact over a
+//   flat Earth, a model with the air masses of a round one.
 // Source: S. Chandrasekhar, 'Radiative transfer' (1950): the first order of a plane layer.
 vec3 scatteredLight(vec3 depth, float viewMass, float sunMass)
 {
@@ -105,8 +105,8 @@ float daylight(float sinHeight)
 //   sun        direction of the sun, length 1
 //   depth      optical depth of the air overhead, per channel, > 0
 //   formula    gain day^2 (0.6 + 0.4 c^2) scatteredLight + day transmittance glow, c the cosine of the
-//              angle to the sun; the gain, a colour by eye, stands for light scattered more than once
-//              and for ozone: the blue of the zenith at sunset comes only from the gain
+//              angle to the sun; the gain, a colour chosen by eye, stands for light scattered more than
+//              once and for ozone: the blue of the zenith at sunset comes only from the gain
 vec3 sunlitSky(vec3 direction, vec3 sun, vec3 depth)
 {
     float view = airMass(direction.y), sunMass = airMass(sun.y), day = daylight(sun.y);
@@ -116,7 +116,7 @@ vec3 sunlitSky(vec3 direction, vec3 sun, vec3 depth)
     return gain * scatteredLight(depth, view, sunMass) + halo;
 }
 
-// The sky's own light at night, a model by eye. It is brightest at the horizon.
+// The sky's own light at night, a model fitted by eye. This light is brightest at the horizon.
 //   direction, sun  as for sunlitSky
 vec3 nightSky(vec3 direction, vec3 sun)
 {

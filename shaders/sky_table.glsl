@@ -2,7 +2,7 @@
 // has computed: shaders/textures/air.c.
 //
 // Light is linear; 1 is 4,000 cd/m^2, about twice the blue overhead at a clear noon. Light that falls on a surface is
-// given as the light that a white matt surface sends back. So it ranges from 8.7, a white surface that faces the noon
+// given as the light that a white matt surface sends back. It ranges from 8.7, for a white surface that faces the noon
 // sun, to 6e-8 at night; hourStops gives the exposure. y is up; directions have length 1; below the horizon the sky is
 // the same as at the horizon.
 //
@@ -10,19 +10,20 @@
 #include "sky.glsl"
 
 // Columns and rows of a table of the sky, in each of its three storeys, from the bottom: light scattered once by air,
-// light scattered once by dust, and light scattered more than once. The lowest sun that has a column, -16.3 degrees.
+// light scattered once by dust, and light scattered more than once. LOWEST_SUN is the sine of the height of the lowest
+// sun that has a column, -16.3 degrees.
 const vec2  SKY_TABLE = vec2(288.0, 160.0);
 const float LOWEST_SUN = -0.28;
 
 // How far the axes are stretched around 0: that of the sun's height (x) and that of the direction's (y).
 const vec2 SKY_WIDTH = vec2(0.1, 0.06);
 
-// Columns and rows of the table of the sun, and how far it reaches, in radii of the sun.
+// Columns and rows of the table of the sun, and how far the table reaches, in radii of the sun.
 const float SUN_TABLE = 64.0;
 const float SUN_REACH = 12.0;
 
 // The range of the amount that a table's fourth number adds to the blue, as a share of the red's scale: from about
-// -0.03 to 0.03. The byte NO_BLUE adds nothing.
+// -0.03 to 0.03. NO_BLUE, the byte 128, adds nothing.
 const float BLUE_FINE = 0.06;
 const float NO_BLUE = 128.0 / 255.0;
 
@@ -33,7 +34,7 @@ const float DUST_FORWARD = 0.76;
 
 // The position of the sine of a height in a table: stretched around 0, where the sky changes fastest.
 //   sine     in [-1, 1]
-//   k        in (0, 1): near 0 it is stretched by 1 / k
+//   k        in (0, 1): near 0 the table is stretched by 1 / k
 //   returns  in [-1, 1], with the sign of sine
 //   formula  the x with x (k + (1 - k) |x|) = sine
 float drawnOut(float sine, float k)
@@ -43,7 +44,7 @@ float drawnOut(float sine, float k)
 
 // Column (x) and row (y) of the sky in a table: 0 is the centre of the first one, 1 that of the last one.
 //   sun        sine of the sun's height; below LOWEST_SUN it counts as LOWEST_SUN
-//   direction  sine of its height; below 0 it counts as 0
+//   direction  sine of the direction's height; below 0 it counts as 0
 vec2 skyPlace(float sun, float direction)
 {
     float lowest = drawnOut(LOWEST_SUN, SKY_WIDTH.x), column = drawnOut(max(sun, LOWEST_SUN), SKY_WIDTH.x);
@@ -61,11 +62,11 @@ struct SkyScale {
     vec3 air, dust, more;
 };
 
-// The scale of a point: by day the light decreases as thick air removes it, blue the most, and more the lower one
-// looks; in twilight it decreases by a factor of 2 to 9 for each degree that the sun sinks, that of dust by 11 to 33.
-// Light spans decades, and a byte does not.
+// The scale of a point. By day the light decreases as thick air removes it, blue the most, and more the lower one
+// looks; in twilight the light decreases by a factor of 2 to 9 for each degree that the sun sinks, that of dust by a
+// factor of 11 to 33. Light spans many powers of ten, and a byte does not.
 //   sun      sine of the sun's height
-//   row      of skyPlace, in [0, 1]
+//   row      from skyPlace, in [0, 1]
 //   formula  fitted; the remaining factor is in the table, and lies in [0, 1]. In a few texels at dusk, where dust
 //            sends little of the light, its green would exceed 1 and is cut off
 SkyScale skyScale(float sun, float row)
@@ -113,10 +114,10 @@ float levelCosine(vec3 direction, vec3 sun)
     return clamp(dot(direction.xz, sun.xz) / max(size, 1e-6), -1.0, 1.0);
 }
 
-// The share of the table of the sun's half in the light that was scattered once.
-//   a        of levelCosine
-//   sun      sine of its height
-//   row      of skyPlace
+// The weight of the sunward table in the light that was scattered once.
+//   a        from levelCosine
+//   sun      sine of the sun's height
+//   row      from skyPlace
 //   formula  ((1 + a) / 2)^p, p = 1 + (q - 1) (1 - 0.28 a), log2 q = 0.6 + 0.37 d - 2.75 row, in [0, 6], d the
 //            degrees by which the sun is below the horizon. By day p is 1, because the light without its phases is
 //            almost linear in a; in twilight the glow contracts, most of all near the horizon. At the zenith any share
@@ -129,8 +130,7 @@ float sunwardShare(float a, float sun, float row)
 
 // sunwardShare for light that was scattered more than once, which comes from all sides and so depends less on the
 // position of the sun.
-//   a        cosine of the horizontal angle to the sun
-//   sun      sine of its height
+//   the parameters are those of sunwardShare
 //   formula  ((1 + a) / 2)^p, p = 1 + 3.7 (1 - row)^2 d / (d + 0.15), d = max(-sun, 0)
 float moreShare(float a, float sun, float row)
 {
@@ -139,9 +139,9 @@ float moreShare(float a, float sun, float row)
 }
 
 // The light of one storey of a table. The light of a low sun is redder than the screen's red, with a blue a little
-// below 0, which no colour of a picture can represent; and near 0 a screen distinguishes more blues than a byte. The
-// fourth number contains the missing part.
-//   place   of skyPlace
+// below 0, which no colour of a picture can represent; and near 0 a screen distinguishes more values of blue than a
+// byte has. The fourth number contains the missing part.
+//   place   from skyPlace
 //   storey  0 air, 1 dust, 2 more
 //   scale   of the storey
 vec3 storeyLight(sampler2D table, vec2 place, float storey, vec3 scale)
@@ -159,7 +159,7 @@ vec3 onceLight(sampler2D table, vec2 place, float c, SkyScale scale)
     return phaseAir(c) * storeyLight(table, place, 0.0, scale.air) + phaseDust(c) * storeyLight(table, place, 1.0, scale.dust);
 }
 
-// All the light of a table in a direction. It is exact in the middle of the table's half of the sky.
+// All the light of a table in a direction. The result is exact in the middle of the table's half of the sky.
 vec3 tableLight(sampler2D table, vec2 place, float c, SkyScale scale)
 {
     return onceLight(table, place, c, scale) + storeyLight(table, place, 2.0, scale.more);
@@ -170,7 +170,7 @@ vec3 tableLight(sampler2D table, vec2 place, float c, SkyScale scale)
 //   direction      of the ray, length 1
 //   sun            direction of the sun, length 1
 //   returns        linear light, >= 0; 1 is 4,000 cd/m^2
-//   formula        the mix of both tables by sunwardShare, and by moreShare
+//   formula        both tables mixed, by sunwardShare for light scattered once and by moreShare for the rest
 vec3 tableSky(sampler2D sunward, sampler2D away, vec3 direction, vec3 sun)
 {
     vec2 place = skyPlace(sun.y, direction.y);
@@ -187,7 +187,7 @@ vec3 tableSky(sampler2D sunward, sampler2D away, vec3 direction, vec3 sun)
 // The sun's light on a surface perpendicular to its rays, after the air. Multiply it by the cosine of the angle to the
 // surface's normal.
 //   sun      direction of the sun; the light falls smoothly to 0 as the sun's centre sinks to 0.7 degrees below the
-//   horizon
+//            horizon
 //   formula  light exp(-depth airMass), fitted to the integral; above 2 degrees within 5 % of the largest channel
 vec3 tableSunlight(vec3 sun)
 {
@@ -225,7 +225,7 @@ float skyBrightness(float sun)
     return 0.03 - 0.37 / (high + 0.1) - deep * (83.5 - 42.0 * exp(-204.0 * deep * deep));
 }
 
-// The light of the whole sky on a horizontal white surface, without the sun's own.
+// The light of the whole sky on a horizontal white surface, without the light of the sun itself.
 //   sun      direction of the sun, length 1
 //   formula  2^skyBrightness times a colour that is bluer at noon and in the blue hour than at sunset
 vec3 tableAmbient(vec3 sun)
@@ -249,7 +249,7 @@ float hourStops(float sinSunHeight)
 // Light as a daylight film records it: white is the colour of white paper at noon in sunlight alone, whereas the
 // screen's white would be bluer. Call it after all light is added and before exposed().
 //   light    linear, >= 0
-//   formula  light over the colour of tableSunlight with the sun 48 degrees high, of brightness 1
+//   formula  light divided by the colour of tableSunlight with the sun 48 degrees high, scaled to a brightness of 1
 vec3 daylightFilm(vec3 light)
 {
     return light / vec3(1.156, 0.976, 0.796);

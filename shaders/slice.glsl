@@ -40,7 +40,8 @@ float lineCover(float distance, float width)
 }
 
 // The share of a pixel that a disc covers.
-//   distance  from its centre, radius  both in pixels
+//   distance  from the disc's centre, in pixels
+//   radius    of the disc, in pixels
 float discCover(float distance, float radius)
 {
     return clamp(radius - distance + 0.5, 0.0, 1.0);
@@ -100,8 +101,8 @@ float sliceHere()
     return mix(sliceStep(k).x, sliceStep(min(k + 1, iMarchSteps - 1)).x, way);
 }
 
-// The number of a step above its position, if there is room for it: 0 for nothing, else 1 for the label's
-// background plus the share of the pixel that the number covers.
+// The number of a step above its position, if there is room: the result is 0 where nothing is drawn, else 1 for the
+// label's background plus the share of the pixel that the number covers.
 //   pixel     of the picture
 //   position  of the step in the picture, in pixels
 //   room      to the neighbours, in pixels
@@ -215,7 +216,7 @@ vec3 sliceAxis(vec3 colour, vec2 point, vec2 pixel)
 vec3 slicePlane(Ray ray, vec2 pixel)
 {
     vec3 across = iCameraUp - dot(iCameraUp, ray.direction) * ray.direction;
-    if (length(across) < 0.001) // a ray straight up: any plane that contains it
+    if (length(across) < 0.001) // the ray is vertical: any plane that contains it will do
         across = iCameraForward - dot(iCameraForward, ray.direction) * ray.direction;
     across = normalize(across);
     vec2 point = iSliceFrame.xy + pixel * iSliceFrame.z;

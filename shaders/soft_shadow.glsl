@@ -43,7 +43,7 @@ float discBesideDisc(float clear, float radius)
 {
     float between = max(clear + radius, 1e-6);
     float x = clamp(0.5 * (clear * clear + 2.0 * clear * radius + 1.0) / between, -1.0, 1.0);
-    float chord = sqrt(1.0 - x * x); // half of it
+    float chord = sqrt(1.0 - x * x); // half its length
     float a = atan(chord, x), b = atan(chord, between - x);
     return 1.0 - (segmentArea(a) + radius * radius * segmentArea(b)) / PI;
 }
@@ -53,7 +53,7 @@ float discBesideDisc(float clear, float radius)
 //   toLight  direction of the lamp's middle, length 1
 //   spread   radius of the lamp's disc, > 0
 //   onEdge   a point of the edge
-//   along    its direction, of any length, so that cross(onEdge - p, along) points to the free side
+//   along    direction of the edge, of any length, so that cross(onEdge - p, along) points to the free side
 //   exact: the plane through p and the edge meets the disc's plane in a line
 float lampBesideEdge(vec3 p, vec3 toLight, float spread, vec3 onEdge, vec3 along)
 {
@@ -83,7 +83,8 @@ float lampBesideBall(vec3 p, vec3 toLight, float spread, vec3 centre, float radi
 
 // ---- One march ----
 
-// Two bounds of the free angle around a ray, as its tangent or sine. Both are 0 if the ray itself is blocked.
+// Two bounds of the free angle around a ray, as the sine (most) and the tangent (least) of an angle. Both are 0 if the
+// ray itself is blocked.
 struct Clearance {
     float most;  // no larger angle is free: the smallest distance / t of the march
     float least; // everything within this angle is free, as far as the march went
@@ -94,10 +95,10 @@ struct Clearance {
 //   tMin, tMax  where to search, scene units; an empty interval is free
 //   threshold, maxSteps  of the march
 //   most        with an exact distance, the sine of the angle is the smallest of distance / t over all t;
-//               over the steps only, it is that or more
+//               the smallest over the steps is never less
 //   least       two balls of empty space, of radius a around the last step and h around this one, meet in a circle
-//               of radius sqrt(h^2 - y^2), y = h^2 / (2 a) before this step: the tangent of the angle of
-//               the smallest such circle, if that is not beyond a right angle. Needs a lower bound of the
+//               of radius sqrt(h^2 - y^2), y = h^2 / (2 a) before this step: the tangent of the smallest
+//               angle of such a circle, among those less than a right angle. This needs a lower bound of the
 //               distance
 // Sources: I. Quilez, 'Soft shadows in raymarched SDFs' (2010), for the first; S. Aaltonen, 'GPU-based clay
 // simulation and ray-tracing tech in Claybook', Game Developers Conference 2018, for the second.
@@ -130,7 +131,7 @@ Clearance clearanceAlong(Ray ray, float tMin, float tMax, float threshold, int m
 
 // ---- Many rays ----
 
-// Map a point of the unit square to one of the disc, and equal areas to equal areas.
+// Map a point of the unit square to a point of the disc, and equal areas to equal areas.
 //   square   both coordinates in [0, 1]
 //   returns  x, y in the disc of radius 1
 //   formula  sqrt(u) (cos 2 pi v, sin 2 pi v): a ring from r to r + dr has the area 2 pi r dr = pi d(r^2)
@@ -158,7 +159,7 @@ vec3 lampDirection(vec3 toLight, float spread, vec2 point)
 //   side       >= 0; with 0, no ray is marched and the result is 1
 //   distance, threshold, maxSteps  as for lightReaching
 //   dimension  the first of 2 side^2 dimensions of pixelRandom that are used
-// Its mean over the samples of a pixel tends to the visible share.
+// The mean of the result over the samples of a pixel tends to the visible share.
 float lampReaching(Ray ray, float distance, float spread, int side, float threshold, int maxSteps,
                    int dimension)
 {

@@ -56,8 +56,8 @@ float sdCylinder(vec3 p, float radius, float halfHeight)
 //   p           point, scene units
 //   apothem     from the axis to the middle of a side, > 0, scene units; an edge is 2 / sqrt(3) times as far
 //   halfHeight  >= 0, scene units
-// The hexagon is symmetric in the mirrors x = 0, z = 0 and z = x / sqrt(3). Folded along them, the point
-// sees one side: at x = apothem, extending apothem / sqrt(3) to both sides.
+// The hexagon is symmetric in the mirrors x = 0, z = 0 and z = x / sqrt(3). Once the point is folded along
+// them, one side is the nearest: at x = apothem, extending apothem / sqrt(3) to both sides.
 float sdHexPrism(vec3 p, float apothem, float halfHeight)
 {
     vec2 q = abs(p.xz);

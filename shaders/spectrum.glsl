@@ -7,12 +7,12 @@ const float SHORTEST_WAVE = 0.40;
 const float LONGEST_WAVE = 0.70;
 
 // The index of refraction of a glass.
-//   glass       its two numbers for Cauchy's formula: (a, b), b in square micrometres; crown glass BK7
+//   glass       the two numbers of the glass for Cauchy's formula: (a, b), b in square micrometres; crown glass BK7
 //               (1.5046, 0.00420), dense flint SF10 (1.6894, 0.01341), water (1.3240, 0.00310)
 //   wavelength  > 0
 //   formula     a + b / wavelength^2
-// It differs from Sellmeier's formula with the maker's six numbers by at most 0.00011 for BK7; for SF10 by 0.0004 from
-// 0.486 to 0.656, and in the violet it is too small by up to 0.005.
+// The result differs from that of Sellmeier's formula with the maker's six numbers by at most 0.00011 for BK7; for SF10
+// by 0.0004 from 0.486 to 0.656, and in the violet it is too small by up to 0.005.
 // Sources: A.-L. Cauchy, 'Mémoire sur la dispersion de la lumière' (1836); the two numbers of SF10 are fitted to the
 // indices of the maker's catalogue (Schott, 'Optical Glass').
 float cauchyIndex(vec2 glass, float wavelength)
@@ -52,7 +52,7 @@ vec3 waveColour(float wavelength)
                 5.4559 * bell(wavelength, 0.4450, 0.0248, 0.0375));
 }
 
-// The wavelengths of a sample: wave k of count, one in each of count equal parts of the spectrum.
+// Wavelength k of the count wavelengths of a sample, one in each of count equal parts of the spectrum.
 //   k, count  0 <= k < count
 //   shift     position within its part, in [0, 1]; 1/2 is the middle: for count 1 that is 0.55, green
 float sampleWave(int k, int count, float shift)

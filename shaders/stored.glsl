@@ -9,9 +9,9 @@ const float STORED_RANGE = 0.5; // the largest distance that is stored, scene un
 const float STORED_CELL = 2.0 / float(STORED_SIDE - 1); // side of a cell, scene units
 
 // The value at a point of the grid.
-//   grid     its red channel has the high byte, its green channel the low one; never filtered, because a filter of
+//   grid     the red channel has the high byte, the green channel the low one; never filtered, because a filter of
 //            8 bits would lose the low byte
-//   point    its indices, each in [0, STORED_SIDE)
+//   point    indices of the point, each in [0, STORED_SIDE)
 //   formula  (2 code / 65535 - 1) STORED_RANGE, code = 256 red + green
 //   returns  scene units; the rounding to 16 bits errs by at most STORED_RANGE / 65535
 float storedValue(sampler3D grid, ivec3 point)
@@ -42,9 +42,9 @@ StoredCell storedCell(sampler3D grid, vec3 q)
 // Trilinear interpolation: a mean of the eight values, weighted by products of the shares.
 //   formula  the lines of the cell along x, y and z, one after the other
 //   returns  scene units. If the grid has the values of a distance, the result errs by at most
-//            sqrt(3) / 2 STORED_CELL, and by 3 / 8 STORED_CELL^2 times the curvature where there is one. It is
-//            sqrt(3)-Lipschitz: not a bound, but divided by sqrt(3) it is a lower bound of the distance to its
-//            own surface
+//            sqrt(3) / 2 STORED_CELL and, where the distance has a curvature, by at most 3 / 8 STORED_CELL^2 times
+//            that. The result is sqrt(3)-Lipschitz: not a bound, but divided by sqrt(3) a lower bound of the distance
+//            to the surface on which it is 0
 float trilinear(StoredCell cell)
 {
     vec4 between = mix(cell.near, cell.far, cell.share.z);
@@ -65,8 +65,9 @@ vec3 trilinearGradient(StoredCell cell)
 
 // The stored distance at any point.
 //   p        scene units; the stored surface must lie in the cube from -1 to 1
-//   formula  F(p) in the cube; outside, sqrt(a^2 + F(q)^2), q the nearest point of the cube and a its distance from p
-//   returns  in the cube, trilinear; outside, a lower bound wherever F is one, because the angle at q between p and
+//   formula  F(p) in the cube, F the trilinear interpolation; outside, sqrt(a^2 + F(q)^2), q the nearest point of the
+//            cube and a its distance from p
+//   returns  scene units; outside the cube, a lower bound wherever F is one, because the angle at q between p and
 //            any point of the cube is at least a right angle
 float storedDistance(sampler3D grid, vec3 p)
 {

@@ -1,15 +1,15 @@
 // stretch.glsl - how fast a distance can change along one ray: a Lipschitz constant for each ray.
 //
-// A stretch of transform.glsl holds for all directions, so it is that of the steepest direction. A ray has only one,
-// which may be less steep. Divided by the stretch along a ray, a distance is safe for marching that ray,
+// A stretch of transform.glsl is valid for all directions, so it is that of the steepest direction. A ray has only one
+// direction, which may be less steep. Divided by the stretch along a ray, a distance is safe for marching that ray,
 // forwards and backwards, but not for any other ray, nor for a normal.
 
 // The stretch along a ray over y - h(x, z), a ground or a sea of height h.
 //   slope      the largest |grad h| in the region, >= 0
 //   direction  of the ray, length 1
 //   formula    |v_y| + slope |(v_x, v_z)|
-//   returns    at most heightStretch(slope), which the steepest direction reaches; it may be small: nearly
-//              slope for a level ray
+//   returns    at most heightStretch(slope), which the steepest direction reaches; only slope, which may be
+//              small, for a level ray
 float heightStretchAlong(float slope, vec3 direction)
 {
     return abs(direction.y) + slope * length(direction.xz);

@@ -8,7 +8,7 @@
 //   offset   scene units; the plane is dot(p, normal) = -offset
 //   formula  p - 2 min(dot(p, normal) + offset, 0) normal; with (-normal, -offset) the plane is the same, and
 //            the other side is kept
-// It is 1-Lipschitz: a distance evaluated at the folded point is a lower bound of that to the visible scene,
+// The fold is 1-Lipschitz: a distance evaluated at the folded point is a lower bound of that to the visible scene,
 // and is exact outside if no part of the scene lies behind the plane. If the length of the normal is not 1, the
 // plane is not a mirror, and if it is more than 1, the distance is not a bound.
 // Source: report, section 2.2.4.
@@ -35,8 +35,8 @@ float sdTetrahedronPlanes(vec3 p, float size)
 //   p, size  as for sdTetrahedronPlanes
 // Three folds bring p in front of the face x + y + z = -size. The nearest of that face's edges is the one
 // on which the smallest coordinate is -size. Beyond that edge, the distance to the edge is returned; otherwise, the
-// distance to the face's plane. In the edge's own frame, p minus the edge's middle has the components middle (twice),
-// perpendicular to the axis of the two other coordinates; low + size; and past, along the edge beyond its end.
+// distance to the face's plane. The vector from the edge to p has the components sqrt(2) middle and low + size
+// perpendicular to the edge, and sqrt(2) past along the edge, beyond its end.
 float sdTetrahedron(vec3 p, float size)
 {
     p.xy -= max(p.x + p.y, 0.0);
@@ -99,7 +99,7 @@ float sdSierpinski(vec3 p, float size, int levels)
 //   returns  (entry, exit) along the ray, entry >= 0; entry >= exit if the ray misses it
 //   formula  a plane is crossed at (size - dot(origin, n)) / dot(direction, n), inwards where
 //            dot(direction, n) < 0, outwards where it is > 0; where it is 0 the plane is left out, so
-//            the interval may be too long, never too short. The n sum to 0: a ray enters
+//            the interval may be too long, never too short. The four n add up to 0, so a ray enters
 //            through three planes at most, and the entry of the fourth stays 0
 vec2 tetrahedronInterval(Ray ray, float size)
 {

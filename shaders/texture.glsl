@@ -103,12 +103,12 @@ vec4 textureOnPlanes(sampler2D picture, vec3 p, Footprint f, vec3 weights)
     return sum;
 }
 
-// The weights of the two most important projections; the third is 0, a value that it approaches continuously.
-// This costs a third less.
+// The weights of the two most important projections; the third weight is 0, which it approaches continuously. Two
+// lookups cost a third less than three.
 //   weights  from planeWeights
 //   formula  weights minus the smallest of them, divided by their new sum; (1, 0, 0) if all are equal
-// They are continuous except in the eight diagonal directions, where all are equal: no method that drops the smallest
-// weight is continuous in them.
+// The weights are continuous except in the eight diagonal directions, where all are equal: no method that drops the
+// smallest weight is continuous there.
 vec3 twoPlaneWeights(vec3 weights)
 {
     vec3 w = weights - min(weights.x, min(weights.y, weights.z));
@@ -123,7 +123,7 @@ vec3 twoPlaneWeights(vec3 weights)
 //   slide, axis  from slideAlong, with that axis
 //   reach        step of the differences, in repeats: about a texel, and at least a pixel
 //   wanted       false if only the height is needed, which takes one lookup instead of three
-//   formula      forward differences over reach of the first channel; error O(reach)
+//   formula      forward differences of the first channel over reach; the error is O(reach)
 vec4 heightOnSlide(sampler2D heights, Slide slide, int axis, float reach, bool wanted)
 {
     vec3 h = vec3(0.0);
@@ -141,8 +141,8 @@ vec4 heightOnSlide(sampler2D heights, Slide slide, int axis, float reach, bool w
 //   normal    of the smooth surface, length 1
 //   gradient  of the height in space, per scene unit: from noise or from a picture of heights
 //   returns   length 1
-//   formula   normalize(normal - g), g the component of the gradient tangent to the surface: exact on a plane,
-//             else up to height times curvature
+//   formula   normalize(normal - g), g the component of the gradient tangent to the surface: exact on a plane;
+//             otherwise the error is about height times curvature
 // Source: J. F. Blinn, 'Simulation of wrinkled surfaces', SIGGRAPH 1978.
 vec3 bumpedNormal(vec3 normal, vec3 gradient)
 {

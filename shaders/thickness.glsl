@@ -9,8 +9,8 @@
 //   maxSteps   of this march
 //   returns    length of the path inside, scene units, at most far; 0 if it starts outside
 //   formula    t_0 = 0, t_(n+1) = t_n - distance at t_n, until that is more than -threshold
-// Inside, the distance must be negative and no deeper than the true depth, a lower bound of it: then the march steps
-// over no exit. A union by min and a smooth union satisfy this, although their steps are short.
+// Inside, the distance must be negative and its size a lower bound of the depth: then the march steps over no exit.
+// A union by min and a smooth union satisfy this, although the steps in them are short.
 float thicknessAlong(Ray ray, float far, float threshold, int maxSteps)
 {
     traceBegin(0.0, far);

@@ -11,7 +11,7 @@
 //   displacement by g         (sd(p) + g(p)) / displacementStretch(|grad g|)   a lower bound
 //
 // A function named ...Stretch is a Lipschitz constant: the most by which the inverse map can stretch
-// distances. Divided by it, a distance is safe to march with: the step factor is its inverse.
+// distances. Divided by this constant, a distance is safe to march with: the step factor is the inverse.
 
 // ---- Isometries: a moved volume keeps its size, and distances stay exact ----
 
@@ -61,8 +61,8 @@ vec3 seenFrom(Pose pose, vec3 p)
 //   m        any matrix; the one that is applied to the point, p -> m p
 //   formula  square root of the largest eigenvalue of S = transpose(m) m, which is symmetric: with
 //            mean = tr S / 3, D = S - mean I, spread^2 = tr(D D) / 6 and
-//            angle = acos(det(D) / (2 spread^3)) / 3 it is mean + 2 spread cos(angle); the arc cosine by
-//            atan, because a driver's acos may be inexact
+//            angle = acos(det(D) / (2 spread^3)) / 3 it is mean + 2 spread cos(angle); the arc cosine is
+//            computed with atan, because a driver's acos may be inexact
 //   returns  >= 0; 1 for a rotation, |k| for k times a rotation
 // Source: O. K. Smith, 'Eigenvalues of a symmetric 3 x 3 matrix', CACM 4 (1961).
 float largestStretch(mat3 m)
@@ -81,7 +81,7 @@ float largestStretch(mat3 m)
 //   p        point, scene units
 //   rate     radians per scene unit of height, any sign
 //   formula  rotationY(rate y) p; the volume itself is turned by -rate y
-// The result is not a distance: divide by twistStretch, in the region that it names.
+// The result is not a distance: divide by twistStretch, in the region that twistStretch names.
 vec3 opTwist(vec3 p, float rate)
 {
     float c = cos(rate * p.y), s = sin(rate * p.y);
@@ -89,7 +89,7 @@ vec3 opTwist(vec3 p, float rate)
 }
 
 // The Lipschitz constant of opTwist in the cylinder x^2 + z^2 <= radius^2, a convex region. It is tight:
-// it is reached on the cylinder's wall. Without a bound on the radius there is none.
+// it is reached on the cylinder's wall. Without a bound on the radius there is no such constant.
 //   formula  (u + sqrt(u^2 + 4)) / 2, u = |rate| radius
 float twistStretch(float rate, float radius)
 {
@@ -102,7 +102,7 @@ float twistStretch(float rate, float radius)
 //   p        point, scene units
 //   rate     radians per scene unit along x, any sign
 //   formula  rotationZ(rate x) p
-// The result is not a distance: divide by bendStretch, in the region that it names.
+// The result is not a distance: divide by bendStretch, in the region that bendStretch names.
 vec3 opBend(vec3 p, float rate)
 {
     float c = cos(rate * p.x), s = sin(rate * p.x);

@@ -24,11 +24,11 @@ vec3 depthView()
     return trace.end == END_HIT ? vec3(1.0 / (1.0 + square * square)) : VIEW_NOTHING;
 }
 
-// The number of steps at the bright end of the ramp, which also stands for any larger number.
+// The number of steps at the bright end of the ramp, which also shows any larger number.
 const float STEPS_SHOWN = 64.0;
 
-// The legend over the picture: the ramp along the bottom, with 0, 16, 32, 48, 64 above it. It is left
-// out if the picture is too small for it.
+// The legend over the picture: the ramp along the bottom, with 0, 16, 32, 48, 64 above it. The legend is
+// left out if the picture is too small.
 //   pixel  in pixels of the picture
 vec3 stepLegend(vec3 colour, vec2 pixel)
 {

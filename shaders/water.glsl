@@ -1,9 +1,9 @@
-// water.glsl - a lake: waves, the part of them that a pixel sees, and the sun's reflection in them.
+// water.glsl - a lake: waves, what remains of them in a pixel, and the sun's reflection in them.
 //
-// The water is level, y = 0; its waves tilt only its normal. docs/21_a_landscape.md proves the claims made here.
+// The water is level, y = 0; the waves tilt only the normal. docs/21_a_landscape.md proves the claims made here.
 #include "texture.glsl"
 
-// The slope of the water as a pixel sees it.
+// The slope of the water within a pixel.
 struct Water {
     vec2  slope;    // its mean, along x and z
     float variance; // about that mean, along any one direction
@@ -18,7 +18,7 @@ Footprint footprintOnWater(vec3 direction, float width)
     return Footprint(f.across, f.along * max(0.0625 / max(abs(direction.y), 1e-4), 1.0));
 }
 
-// Four waves, as a pixel sees them.
+// Four waves, averaged over a pixel.
 //   p        position on the water, scene units
 //   f        from footprintOnWater; of size 0 for a point
 //   kx, kz   wave vectors, radians per scene unit
@@ -37,7 +37,7 @@ Water fourWaves(vec2 p, Footprint f, vec4 kx, vec4 kz, vec4 steep, vec4 phase)
     return Water(vec2(dot(kx, tilt), dot(kz, tilt)), 0.25 * dot(steep * steep, 1.0 - kept * kept));
 }
 
-// The lamp in rough water: its light that facets of all slopes send to the eye, before Fresnel's share.
+// The reflection of a lamp in rough water: the light that facets of all slopes send to the eye, before Fresnel's share.
 //   direction  of the ray, to the water, length 1
 //   toLight    length 1, upwards
 //   water      slope and variance, > 0

@@ -1,5 +1,5 @@
-// blend_shares.c - two blends of two distances along a line: their depth; and three shares of the
-// second distance: the cubic, the quadratic and the workshop's weight.
+// blend_shares.c - two blends of two distances along a line, and three shares of the second
+// distance: the cubic, the quadratic and the workshop's weight.
 #include <math.h>
 #include <stdio.h>
 
@@ -77,8 +77,8 @@ int main(void)
               "Left: the union of two distances against their difference. The minimum has a "
               "corner. Where both distances are equal, the cubic blend is lower by a sixth of its "
               "width, the quadratic blend by a quarter. Right: the share of the second distance. "
-              "Both blends have one half where the distances are equal. The workshop's weight is "
-              "a sixth there, and it is not symmetric.");
+              "Both blends have a share of one half where the distances are equal. The workshop's "
+              "weight is a sixth there, and it is not symmetric.");
     svg_plot_frame(&depth, 0.5, 0.2, "a - b, in widths k", "the union");
     svg_plot_frame(&share, 0.5, 0.25, "a - b, in widths k", "share of b");
     curve(&depth, least, ink);

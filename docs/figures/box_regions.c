@@ -6,7 +6,7 @@
 
 static const double half[3] = {1.2, 0.8, 1.0};
 
-// A cut: the position of its corner x = y = 0 on the page, its height z, and its title.
+// A cut: the position on the page of its corner x = y = 0, its height z, and its title.
 struct cut {
     double left, bottom, z;
     const char *title;
@@ -33,7 +33,7 @@ static void draw_rectangle(const struct cut *cut, const double from[2], const do
     svg_polygon(4, corner, pen);
 }
 
-// The regions of the cut, coloured by the number of sides beyond which they lie.
+// Draw the regions of the cut, coloured by the number of sides beyond which they lie.
 static void draw_regions(const struct cut *cut)
 {
     static const char *const shade[] = {SVG_SKY, SVG_SAND, SVG_TEAL, SVG_ORANGE};
@@ -57,7 +57,7 @@ static void draw_regions(const struct cut *cut)
              "<tspan font-style='italic'>y</tspan>");
 }
 
-// The line of points at the distance 0.5: straight, round, straight.
+// Draw the line of points at the distance 0.5: a straight piece, an arc and a straight piece.
 static void draw_level(const struct cut *cut)
 {
     enum { ARC = 32 };
@@ -83,8 +83,8 @@ static const char *minus(double number)
     return number < 0.0 ? "&#8722;" : "";
 }
 
-// A point, the nearest point of the surface, and its label.
-//   name_x, name_y  position of its label relative to the point, pixels
+// Draw a point, the nearest point of the surface, and the point's label.
+//   name_x, name_y  position of the label relative to the point, pixels
 static void draw_point(const struct cut *cut, double x, double y, const char *name, double name_x,
                        double name_y)
 {

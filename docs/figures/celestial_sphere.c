@@ -1,5 +1,5 @@
 // celestial_sphere.c - the sun's path above the horizon of Toulouse in December, March and June:
-// circles about the celestial pole, by the formula of the page.
+// circles about the celestial pole, by the formula of sunDirection in shaders/sky.glsl.
 #include <math.h>
 #include <stddef.h>
 

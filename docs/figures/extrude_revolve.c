@@ -1,5 +1,5 @@
 // extrude_revolve.c - from the plane to space: the right-angled triangle of an extrusion, and two
-// discs that are rotated, whose part beyond the axis is not drawn but still counts.
+// discs that are rotated, whose parts beyond the axis are not drawn but still count.
 #include <math.h>
 #include <stddef.h>
 
@@ -21,7 +21,7 @@ static void draw_extrusion(void)
     svg_line(wall, top, wall, 70.0, thin);
     svg_line(wall, top, 236.0, top, thin);
 
-    // Outside: above the edge, both count.
+    // Outside, above the edge, both distances count.
     const double p[2] = {218.0, 82.0};
     svg_line(wall, top, p[0], p[1], (struct svg_pen){.stroke = SVG_ORANGE, .width = 2.4});
     svg_line(wall, p[1], p[0], p[1], (struct svg_pen){.stroke = SVG_INK, .width = 1.4});
@@ -30,7 +30,7 @@ static void draw_extrusion(void)
     svg_text(184.0, 74.0, 'm', 14.0, SVG_INK, "q<tspan font-size='10' dy='3'>x</tspan>");
     svg_text(226.0, 116.0, 'l', 14.0, SVG_INK, "q<tspan font-size='10' dy='3'>y</tspan>");
 
-    // Inside: the smaller one.
+    // Inside, the smaller depth counts.
     const double in[2] = {108.0, 196.0};
     svg_line(in[0], in[1], wall, in[1], (struct svg_pen){.stroke = SVG_ORANGE, .width = 2.4});
     svg_line(in[0], in[1], in[0], top, thin);
@@ -78,7 +78,7 @@ static void draw_turned(const struct panel *panel, double centre, double y)
     svg_path(POINTS, (const double(*)[2])point, (struct svg_pen){.stroke = SVG_BLUE, .width = 2.4});
     svg_line(panel->x, 56.0, panel->x, 306.0, (struct svg_pen){.stroke = SVG_INK, .width = 1.2});
 
-    // The distance that is computed, and the right one.
+    // The distance that is computed, and the true one.
     double p[2], asked = fabs(hypot(centre, y) - 1.0), tip = sqrt(1.0 - centre * centre);
     double answer = fabs(y - tip);
     to_page(panel, 0.0, y, p);

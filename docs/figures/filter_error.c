@@ -19,10 +19,10 @@ int main(void)
     svg_begin(
         760.0, 440.0, "The error of a pixel against the number of its samples",
         "Root mean square difference from 256 samples of the same filter, on a fan of fine "
-        "rays, with both axes logarithmic. Four lines fall, that of the regular box is lowest, "
-        "those of the wider filters are higher; the workshop's grid stays between 0.06 and 0.11 "
-        "and rises from 4 samples on.");
-    svg_plot_frame(&plot, 0.0, 0.0, "samples per pixel", "error, of 1");
+        "rays, with both axes logarithmic. Four lines fall: that of the regular box is lowest, "
+        "and those of the wider filters are higher. The workshop's grid stays between 0.06 and "
+        "0.11 and rises from 4 samples on.");
+    svg_plot_frame(&plot, 0.0, 0.0, "samples per pixel", "error, where white is 1");
     for (int curve = 0; curve < CURVES; curve++) {
         double point[SIDES][2];
         for (int i = 0; i < SIDES; i++) {

@@ -1,5 +1,5 @@
-// gloss_energy.c - the share of the light that a surface of tiny mirrors reflects, against its
-// roughness.
+// gloss_energy.c - the share of the light that a surface of tiny mirrors reflects, against the
+// roughness of the surface.
 #include "lib/gloss.h"
 #include "svg.h"
 

@@ -1,5 +1,5 @@
-// normal_error.c - the error of the normal against the step, two curves for the unit ball at z = 10
-// in 32-bit floats: the numbers of `build/tests/measure normal`.
+// normal_error.c - the error of the normal against the step: two curves for the unit ball at z = 10
+// in 32-bit floats, from the numbers of `build/tests/measure normal`.
 #include <stddef.h>
 
 #include "lib/measure.h"

@@ -1,5 +1,5 @@
-// part_cost.c - how many parts a ray evaluates against the number of parts of a scene, for four
-// methods. With an argument, it prints the numbers instead.
+// part_cost.c - the number of parts that a ray evaluates against the number of parts in the scene,
+// for four methods. With an argument, the program prints the numbers instead.
 #include <stdio.h>
 #include <stdlib.h>
 

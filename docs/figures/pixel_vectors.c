@@ -37,7 +37,7 @@ static void words(struct place p, double dx, double dy, const char *colour, cons
     svg_text(page_x(p) + dx, page_y(p) + dy, 'l', 15.0, colour, text);
 }
 
-// The same on the screen: its own background hides the lines of the grid.
+// Write words on the screen, with a background that hides the lines of the grid.
 static void words_on_screen(struct place p, double dx, double dy, double width, const char *text)
 {
     double l = page_x(p) + dx - 4.0, r = l + width + 8.0, b = page_y(p) + dy + 6.0, t = b - 21.0;

@@ -1,5 +1,5 @@
-// plane_steps.c - the number of steps against the angle at which a ray meets a plane, and past a
-// ball against the width of the gap.
+// plane_steps.c - the number of steps to a plane against the angle at which a ray meets it, and the
+// number of steps past a ball against the width of the gap.
 #include <math.h>
 #include <stddef.h>
 

@@ -1,6 +1,6 @@
-// plane_weights.c - the weight of each of two pictures as the normal turns from one axis to the
-// next, and their sum: the workshop's weights, the same divided by their sum, a sharper power, and
-// the two planes with the largest weights.
+// plane_weights.c - the weights of three pictures as the normal turns from one axis to the next,
+// and their sum: the workshop's weights, these weights divided by their sum, a sharper power, and
+// only the two largest weights.
 #include <math.h>
 #include <stddef.h>
 
@@ -8,7 +8,8 @@
 
 enum { POINTS = 181, PLANES = 3 };
 
-// The weights of a normal, per axis, by the method of one of four rows.
+// The weights of a normal, per axis, by one of four methods.
+//   row  the method, 0 to 3
 static void weights_of(int row, const double normal[PLANES], double weight[PLANES])
 {
     double sum = 0.0, least = 1.0;
@@ -21,7 +22,8 @@ static void weights_of(int row, const double normal[PLANES], double weight[PLANE
         weight[i] = row < 3 ? weight[i] / sum : (weight[i] - least) / (sum - 3.0 * least);
 }
 
-// The normal turns from x to y through a quarter circle that leans by 20 degrees towards z.
+// Draw the plot of one method. The normal turns from x to y through a quarter circle that leans by
+// 20 degrees towards z.
 static void draw_row(int row, double left, double top, const char *name, const char *below)
 {
     static const char *const colour[PLANES] = {SVG_BLUE, SVG_TEAL, SVG_PALE};

@@ -29,7 +29,7 @@ static void draw_box(const struct view *view, double z)
     svg_polygon(4, corner, (struct svg_pen){.stroke = SVG_BLUE, .width = 2.0, .fill = SVG_SKY});
 }
 
-// The rays that touch a box's front edges, and its picture on the screen at depth 1.
+// Draw the rays that touch a box's front edges, and the box's picture on the screen at depth 1.
 static void draw_rays(const struct view *view, double z, const char *colour, double width)
 {
     double size = view->opening > 0.5 ? 0.5 / z : 0.5; // half the picture's height
@@ -63,7 +63,7 @@ int main(void)
         760.0, 310.0, "Perspective and parallel projection",
         "The same two boxes of equal height, at depths 2.2 and 4, and a screen at depth 1, twice. "
         "Left, the rays come from one point, and the farther box is smaller on the screen by the "
-        "ratio of the depths. Right, the rays are parallel, and both are of equal size.");
+        "ratio of the depths. Right, the rays are parallel, and both boxes are of equal size.");
     const struct view perspective = {50.0, 160.0, 1.0}, orthographic = {430.0, 160.0, 0.0};
     draw_view(&perspective, "perspective", "sizes in the ratio 4 : 2.2, the inverse of the depths");
     draw_view(&orthographic, "orthographic", "equal sizes at every depth");

@@ -1,6 +1,6 @@
-// repetition.c - the report's figure 6: one circle drawn in one cell appears in every cell; the
-// report's formula, which never shows the centre of a cell; and a circle off the centre, whose
-// distance is wrong.
+// repetition.c - the report's figure 6: the position in a cell by the correct formula and by the
+// report's, which never reaches the centre of a cell; below them, a row of balls: a ball drawn in
+// one cell appears in every cell.
 #include <math.h>
 
 #include "svg.h"
@@ -12,7 +12,7 @@ static double right_place(double x)
     return x - period * floor(x / period + 0.5);
 }
 
-// Section 2.2.3: mod(x - N/2, N) + N/2.
+// The report's formula, section 2.2.3: mod(x - N/2, N) + N/2.
 static double report_place(double x)
 {
     double y = x - 0.5 * period;

@@ -1,6 +1,6 @@
-// sampling_error.c - the error of the visible share against the number of rays: drawn at random
-// over the whole disc, or one in each cell; an edge that cuts the disc, and for comparison a light
-// that is smooth.
+// sampling_error.c - the error of the visible share against the number of rays, which are random
+// over the whole disc or one in each cell; for an edge that cuts the disc and, for comparison, for
+// a smooth light.
 #include <math.h>
 #include <stddef.h>
 
@@ -13,8 +13,8 @@ static const int sides[SIDES] = {1, 2, 3, 4, 6, 8, 12, 16};
 static const double pi = 3.14159265358979323846;
 
 // One estimate: the mean over side x side rays.
-//   curve  0 at random past an edge, 1 a ray in each cell past an edge, 2 the same with a smooth
-//   light, 1 + x / 2
+//   curve  0 random rays past an edge, 1 a ray in each cell past an edge, 2 a ray in each cell with
+//          a smooth light, 1 + x / 2
 static double estimate(int curve, int side, int attempt, double clear)
 {
     double sum = 0.0;
@@ -30,7 +30,7 @@ static double estimate(int curve, int side, int attempt, double clear)
     return sum / (side * side);
 }
 
-// The root mean square over many points of the penumbra.
+// The root mean square of the error over many points of the penumbra.
 static double error_of(int curve, int side)
 {
     double squares = 0.0;

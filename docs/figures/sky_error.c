@@ -1,5 +1,5 @@
-// sky_error.c - the error of the visible share of the sky against the number of rays: beside a ball
-// on a floor, drawn at random over the whole disc, or one in each cell.
+// sky_error.c - the error of the visible share of the sky, beside a ball on a floor, against the
+// number of rays, which are random over the whole disc or one in each cell.
 #include <math.h>
 #include <stddef.h>
 
@@ -11,7 +11,8 @@ enum { SIDES = 7, TRIES = 3000, CURVES = 2 };
 static const int sides[SIDES] = {1, 2, 3, 4, 6, 8, 12};
 static const double pi = 3.14159265358979323846;
 
-// Does a ray from the floor, at a distance from the foot of a ball of radius 1, reach the sky?
+// 1 if a ray from the floor, at a distance from the foot of a ball of radius 1, reaches the sky,
+// else 0.
 static double reaches(double u, double v, double away)
 {
     double x = sqrt(u) * cos(2.0 * pi * v), y = sqrt(1.0 - u);
@@ -34,7 +35,7 @@ static double estimate(int curve, int side, int attempt, double away)
     return sum / (side * side);
 }
 
-// The root mean square over many points of the floor.
+// The root mean square of the error over many points of the floor.
 static double error_of(int curve, int side)
 {
     double squares = 0.0;

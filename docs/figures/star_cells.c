@@ -1,5 +1,5 @@
 // star_cells.c - a hemisphere of stars drawn as a disc: rings of equal width, cells of equal solid
-// angle, one star in each; beside it, the number of cubes of a grid that the sphere meets.
+// angle, one star in each; beside the disc, the number of cubes of a grid that a sphere meets.
 #include <math.h>
 #include <stdint.h>
 
@@ -11,7 +11,7 @@ enum { RINGS = 5, SIZE = 150 };
 
 static const double middle[2] = {185.0, 190.0};
 
-// A number in [0, 1) for a cell.
+// A random number in [0, 1) for a cell.
 static double lot(int ring, int column, uint32_t seed)
 {
     uint32_t v = (uint32_t)(ring * 97 + column) * 2654435761U + seed * 40503U;
@@ -41,7 +41,8 @@ static void cells(void)
     svg_text(middle[0], 366.0, 'm', 14.0, SVG_INK, "one star in each cell of equal solid angle");
 }
 
-// Along the great circle from an axis through a corner of the cube to the midpoint of an edge.
+// Plot the cubes per unit area along the great circle from an axis through a corner of the cube to
+// the midpoint of an edge.
 static void cubes(void)
 {
     struct svg_plot plot = {.left = 440.0,

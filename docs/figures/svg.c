@@ -21,7 +21,7 @@ void svg_end(void)
     printf("</svg>\n");
 }
 
-// Avoids -0.00, which would be written differently from 0.00.
+// Avoid -0.00, which would be written differently from 0.00.
 static double clean(double v)
 {
     return fabs(v) < 0.005 ? 0.0 : v;
@@ -124,7 +124,8 @@ double svg_plot_y(const struct svg_plot *plot, double y)
     return plot->top + plot->height * (1.0 - share(y, plot->y, plot->log_y));
 }
 
-// A power of ten as 10 with an exponent, or as a plain number if it is small.
+// Write a number. On a logarithmic axis, a power of ten below 0.1 or above 100 becomes 10 with an
+// exponent.
 static void write_number(char *words, size_t size, double v, bool logarithm)
 {
     int exponent = (int)floor(log10(fmax(v, 1e-300)) + 0.5);
@@ -201,7 +202,8 @@ void svg_plot_curve(const struct svg_plot *plot, int count, const double (*point
     }
 }
 
-// The points where f changes its sign on the edges of one cell, in pixels: none, two or four.
+// Find the points where f changes sign on the edges of one cell, in pixels. Returns their number:
+// 0, 2 or 4.
 static int crossings(const struct svg_plot *plot, const double corner[4][3], double page[4][2])
 {
     int count = 0;

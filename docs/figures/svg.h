@@ -1,8 +1,8 @@
 // svg.h - drawing functions for the figures: a page of SVG on standard output, in pixels, y
 // downwards, and a plot on it, in its own numbers, y upwards.
 //
-// Every number is written with two decimals, so that a figure is the same file on every machine. A
-// curve that measures rounding needs a pen with one decimal for that.
+// Every number is written with two decimals, so that a figure is the same file on every machine.
+// For this, a curve that measures rounding needs a pen with one decimal.
 #ifndef SVG_H
 #define SVG_H
 
@@ -21,7 +21,7 @@
 
 // Begin and end the page.
 //   width, height       pixels
-//   title, description  for a reader who cannot see the figure: what it is, and what it shows
+//   title, description  say what the figure is and what it shows, for a reader who cannot see it
 void svg_begin(double width, double height, const char *title, const char *description);
 void svg_end(void);
 
@@ -39,14 +39,14 @@ void svg_line(double x0, double y0, double x1, double y1, struct svg_pen pen);
 void svg_arrow(double x0, double y0, double x1, double y1, struct svg_pen pen); // head at x1, y1
 void svg_circle(double x, double y, double radius, struct svg_pen pen);
 void svg_polygon(int count, const double (*point)[2], struct svg_pen pen);
-void svg_path(int count, const double (*point)[2], struct svg_pen pen); // open
+void svg_path(int count, const double (*point)[2], struct svg_pen pen); // not closed
 
-// Words.
+// Write words.
 //   anchor  'l', 'm' or 'r': x is their left end, middle or right end
 //   size    pixels
 //   words   SVG text: <tspan font-style='italic'> and entities are allowed
 void svg_text(double x, double y, char anchor, double size, const char *colour, const char *words);
-// The same from a format, as for printf.
+// Write words from a format, as printf does: at most 255 bytes.
 void svg_textf(double x, double y, char anchor, double size, const char *colour, const char *format,
                ...) __attribute__((format(printf, 6, 7)));
 
@@ -54,32 +54,32 @@ void svg_textf(double x, double y, char anchor, double size, const char *colour,
 struct svg_plot {
     double left, top, width, height; // pixels
     double x[2], y[2];               // numbers at the left and right, bottom and top edge
-    bool log_x, log_y;               // by powers of ten
+    bool log_x, log_y;               // true for a logarithmic axis
 };
 
 double svg_plot_x(const struct svg_plot *plot, double x); // pixels
 double svg_plot_y(const struct svg_plot *plot, double y);
 
-// The frame with its ticks and words.
-//   x_step, y_step  from tick to tick; with log_x, log_y there is a tick at every power of ten
+// Draw the frame with its ticks and words.
+//   x_step, y_step  from tick to tick; a logarithmic axis has a tick at every power of ten instead
 void svg_plot_frame(const struct svg_plot *plot, double x_step, double y_step, const char *x_words,
                     const char *y_words);
 
-// A curve through points; the parts outside the plot are left out.
+// Draw a curve through points; the parts outside the plot are left out.
 void svg_plot_curve(const struct svg_plot *plot, int count, const double (*point)[2],
                     struct svg_pen pen);
 
-// Where a function of the plot's two numbers is zero, as short lines, one per cell of a grid.
+// Draw the zeros of a function of the plot's two numbers, as short lines in the cells of a grid.
 void svg_plot_zero(const struct svg_plot *plot, double (*f)(double x, double y),
                    struct svg_pen pen);
 
-// A wrong formula beside the right one: two plots in a row, each with a background and two lines of
-// words.
-//   top    pixels, the top of the row, which is SVG_PAIR_ROW high on a page of 760
-//   title  above both
-//   words  below the left plot, then below the right one
-//   x, y   the numbers at the edges of both
-//   plot   receives the two plots, 340 x 130 pixels
+// Draw the surroundings of a wrong formula and of the right one beside it: two plots in a row, each
+// with a background and two lines of words.
+//   top    pixels, the top of the row, which is SVG_PAIR_ROW high on a page 760 wide
+//   title  above both plots
+//   words  two lines below the left plot, then two below the right one
+//   x, y   the numbers at the edges of both plots
+//   plot   receives the two plots, 340 x 130 pixels each
 #define SVG_PAIR_ROW 222.0
 void svg_pair(double top, const char *title, const char *const words[4], const double x[2],
               const double y[2], struct svg_plot plot[2]);

@@ -19,8 +19,8 @@ int main(void)
         760.0, 410.0, "The Lipschitz bound of the twist",
         "Two curves over u, the twist per scene unit times the distance from its axis. The correct "
         "bound starts at 1 with slope one half, is 1.618 at 1 and 3.303 at 3. The formula root of "
-        "1 plus the square of u starts flat and stays below it everywhere: steps shortened by it "
-        "are too long.");
+        "1 plus the square of u starts flat and stays below the bound everywhere: steps divided by "
+        "that root are too long.");
     svg_plot_frame(&plot, 0.5, 0.5, "<tspan font-style='italic'>u = |&#956;| &#961;</tspan>",
                    "largest stretch");
     svg_plot_curve(&plot, 121, (const double(*)[2])wrong,

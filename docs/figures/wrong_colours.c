@@ -1,5 +1,5 @@
 // wrong_colours.c - two of the report's formulas about colour, as printed and corrected: a surface
-// in a dim light, and the sky with a low sun.
+// in dim light, and the sky with a low sun.
 #include <math.h>
 #include <stdio.h>
 

@@ -7,7 +7,7 @@
 
 static const struct svg_pen faint = {.stroke = SVG_INK, .width = 1.0, .dash = "4 4"};
 
-// A vector of the basis in words, and the rest of the line.
+// The name of a vector of the basis as SVG text, and the rest of the line.
 #define E(letter, after)                                                                           \
     "e<tspan font-size='10' dy='3'>" letter "</tspan><tspan dx='4' dy='-3'>" after "</tspan>"
 
@@ -41,7 +41,7 @@ static void mirrored(double top)
         "report: " E("z", "against the view; x") E("x", "+ y") E("y", "&#8722; FL") E("z", ""),
         "The ray of a pixel on the right (x = 0.8) goes to the left.",
         "correct: " E("z", "along the view; x") E("x", "+ y") E("y", "+ FL") E("z", ""),
-        "It goes to the right."};
+        "The ray goes to the right."};
     svg_pair(top, "1.3 &#160; The basis of the eye, seen from above; the eye looks up the page",
              words, (double[]){-5.2, 5.2}, (double[]){-0.45, 3.527}, plot);
     for (int i = 0; i < 2; i++) {
@@ -63,7 +63,7 @@ static double ball_at(double t)
     return hypot(t - 25.0, 2.5) - 3.0;
 }
 
-// The axes and the curve.
+// Draw the axis and the curve.
 static void draw_distance(const struct svg_plot *plot)
 {
     double curve[240][2], base = svg_plot_y(plot, 0.0);
@@ -79,7 +79,7 @@ static void draw_distance(const struct svg_plot *plot)
                    (struct svg_pen){.stroke = SVG_PALE, .width = 1.6});
 }
 
-// Each step with its distance.
+// Draw each step with its distance.
 static void draw_steps(const struct svg_plot *plot, int most, const char *colour)
 {
     double t = 0.0, base = svg_plot_y(plot, 0.0);
@@ -115,9 +115,9 @@ static void parallel(double top)
 {
     struct svg_plot plot[2];
     const char *const words[4] = {"report: origin = camera + x" E("x", "+ y") E("y", ""),
-                                  "It is always two units high: the ball is cut off.",
+                                  "The view is always two units high: the ball is cut off.",
                                   "correct: camera + sx" E("x", "+ sy") E("y", "with s = 2 here"),
-                                  "It is as high as you like: 2 s units."};
+                                  "The view is 2 s units high: choose s to fit."};
     svg_pair(top, "2.3 &#160; The parallel view of a ball of radius 1.6, from the side", words,
              (double[]){-6.0, 6.0}, (double[]){-2.294, 2.294}, plot);
     for (int i = 0; i < 2; i++) {

@@ -1,5 +1,5 @@
-// wrong_volumes.c - four formulas of the report's section 2, as printed and corrected, in a plane:
-// a scaled ball, the inverse of a rotation, repetition, symmetry.
+// wrong_volumes.c - four formulas of the report's section 2, as printed and corrected: a scaled
+// ball, the inverse of a rotation, repetition, symmetry.
 #include <math.h>
 #include <stdio.h>
 
@@ -22,7 +22,7 @@ static double ball_right(double x, double y)
     return 0.5 * ball_wrong(x, y);
 }
 
-// A march along y = 0.4 from the left, each step with its circle.
+// Draw a march along y = 0.4 from the left, each step with its circle.
 static void march(const struct svg_plot *plot, double (*f)(double, double), struct svg_pen pen)
 {
     double x = -1.4, unit = plot->width / (plot->x[1] - plot->x[0]);
@@ -98,12 +98,11 @@ static void turned(double top)
     struct m3 turn = m3_rotation(30.0 * degree, 40.0 * degree, 20.0 * degree);
     struct m3 back = m3_rotation(-30.0 * degree, -40.0 * degree, -20.0 * degree);
     char askew[96];
-    snprintf(askew, sizeof askew,
-             "Turned and turned back, it is %.1f&#176; away from where it was.",
+    snprintf(askew, sizeof askew, "Turned and turned back, the block is %.1f&#176; off.",
              left_over(&back, &turn, degree));
     const char *const words[4] = {"report: R(&#8722;30&#176;, &#8722;40&#176;, &#8722;20&#176;)",
                                   askew, "correct: the transposed matrix",
-                                  "It is back where it was (dashed)."};
+                                  "The block is back where it was (dashed)."};
     svg_pair(top, "2.2.2 &#160; The inverse of the rotation R(30&#176;, 40&#176;, 20&#176;)", words,
              (double[]){-4.25, 4.25}, (double[]){-1.625, 1.625}, plot);
     block(&plot[0], &back, &turn, wrong);

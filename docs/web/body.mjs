@@ -1,4 +1,4 @@
-// body.mjs - completes the HTML that pandoc and filter.lua make of a page: formulas, listings, commands, pictures,
+// body.mjs - completes the HTML that pandoc and filter.lua make from a page: formulas, listings, commands, pictures,
 // tables.
 import fs from 'node:fs';
 import path from 'node:path';
@@ -10,7 +10,7 @@ const temml = (await import(new URL('../../build/node/node_modules/temml/dist/te
 
 // ---- Formulas ----
 
-// Leaves out everything that a browser adds by itself: the default forms of operators, and groups of one element.
+// Leave out everything that a browser adds by itself: the default forms of operators, and groups of one element.
 function compact(mathml) {
     return mathml.replaceAll(' separator="true"', '').replaceAll(' fence="true"', '').replaceAll('></mspace>', '/>')
         .replace(/(?<=<mrow>|<math>)<mo form="prefix" stretchy="false">/g, '<mo stretchy="false">').replace(/<mo form="prefix" stretchy="false">(?=[([{⌈⌊])/g, '<mo stretchy="false">')
@@ -23,7 +23,7 @@ function compact(mathml) {
 
 // TeX puts no space around the operators of an index or an exponent, but browsers do.
 function tightened(mathml) {
-    const open = []; // for each open element: whether it is a script, whether it is in one, how many children it has had
+    const open = []; // for each open element: whether it is a script, whether it is inside one, how many children it has had
     return mathml.replace(/<(\/?)(\w+)([^>]*?)(\/?)>/g, (tag, end, name, attributes, empty) => {
         if (end) { open.pop(); return tag; }
         const parent = open.at(-1), inside = Boolean(parent && (parent.inside || (parent.script && parent.count > 0)));
@@ -108,7 +108,7 @@ function commandBlock({text, command}, i, pieces) {
 
 const NARROW = 84; // the number of characters of a listing that fit into a line of the text's width
 
-// A listing, below the name of its file; `sources` knows where the file and this part of it are shown.
+// A listing, below the name of its file; `sources` knows the page and the line where the file is shown.
 function listing(language, text, file, symbol, sources) {
     const code = `<pre><code>${coloured(text, language)}</code></pre>`;
     const kind = text.split('\n').some((line) => line.length > NARROW) ? 'listing broad' : 'listing';
@@ -133,7 +133,7 @@ const GUESSES = read(new URL('guesses.txt', import.meta.url)).split('\n').filter
     return {page, words, kind, right};
 });
 
-// The answer to a question: the fields of its form, and the right values.
+// The form below a question: its fields, and the attributes with the right answer.
 function fieldsOf({kind, right} = {}, pictures) {
     const choice = (text, i) => `<label><input type="radio" name="guess" value="${i}"> ${escaped(text.replace(/^\*/, ''))}</label>`;
     if (kind === 'choice') return {data: ` data-kind="choice" data-right="${right.findIndex((one) => one.startsWith('*'))}"`, fields: right.map(choice).join(' ')};
@@ -148,14 +148,14 @@ function fieldsOf({kind, right} = {}, pictures) {
     return {data: '', fields: '<label>Your guess: <input name="guess" maxlength="200" autocomplete="off"></label>'};
 }
 
-// Predict first: the form between a question and its answer, which may be preceded by a command.
+// Predict first: insert a form between each question and its answer. A command may precede the answer.
 const guesses = (html, stem, pictures) => html.replace(/(<p><em>Predict\.<\/em>)((?:(?!<\/p>).)*)(<\/p>)(?=\s*(?:<div class="commands">(?:(?!<details>|<h\d|<p>).)*)?<details>)/gs, (whole, begin, question, end) => {
     const words = plain(question.replace(/<[^>]*>/g, '')).replace(/\s+/g, ' ').trim();
     const {data, fields} = fieldsOf(GUESSES.find((one) => one.page === stem && words.startsWith(one.words)), pictures);
     return `${begin}${question}${end}<form class="guess"${data}>${fields} <button type="submit">Keep my guess</button> <output></output></form>`;
 });
 
-// The parameters of a chapter that are single numbers, including those of its library.
+// The names of the parameters of a chapter, and of the files that it includes, that are single numbers.
 function parametersOf(stem, found = new Set(), seen = new Set(), file = `chapters/${stem}.frag`) {
     if (seen.has(file) || !fs.existsSync(file)) return found;
     seen.add(file);
@@ -178,7 +178,7 @@ const inline = (html) => html.replace(/(?<!<pre>)<code>([^<]*)<\/code>/g, (whole
 
 // ---- Pictures, tables, links ----
 
-// The attributes of a picture that a page takes from ../tests/references/ or figures/; it is added to `pictures`.
+// The attributes of a picture that a page takes from ../tests/references/ or figures/; adds the picture to `pictures`.
 function pictureOf(source, pictures) {
     const file = path.join('docs', source);
     const name = path.basename(file);
@@ -187,7 +187,7 @@ function pictureOf(source, pictures) {
     return `src="pictures/${name}" width="${width}" height="${height}"${width >= 600 ? ' class="wide"' : ''}`;
 }
 
-// A picture that a program has drawn becomes the running program when it is touched.
+// A picture that a program has drawn becomes the running program when a reader touches it.
 const images = (html, pictures) => html.replace(/<img src="(?!pictures\/)([^"]*)"([^>]*?) ?\/?>/g, (_, source, more) => {
     const img = `<img ${pictureOf(source, pictures)}${more} loading="lazy" decoding="async">`;
     const {stem, line, probe, step} = commandOfPicture(path.basename(source)) ?? {};
@@ -195,8 +195,8 @@ const images = (html, pictures) => html.replace(/<img src="(?!pictures\/)([^"]*)
     return `<live-chapter class="in-place${isFigure(line) ? ' hands' : ''}" stem="${stem}"${line ? ` line="${escaped(line)}"` : ''}${probe ? ` probe="${probe}"` : ''}${step ? ` step="${step}"` : ''}>${img}</live-chapter>`;
 });
 
-// The first picture of a chapter becomes its program, not yet running. The page waits for this picture, so it is the
-// gallery's smaller file.
+// The first picture of a chapter becomes its program, not yet running. The page waits for this picture, so the
+// gallery's smaller file is used.
 const live = (html, stem, pictures) => html.replace(/<figure>\s*<img src="([^"]*)"([^>]*?) ?\/?>.*?<\/figure>/s, (_, source, more) => {
     const small = new Map(), poster = pictureOf(source, small).replace('-smooth.png"', '.webp" fetchpriority="high"');
     pictures.set(poster.split(/[/"]/)[2], ...small.values());
@@ -209,7 +209,7 @@ function wordy(table) {
     return head.length > 2 && head[0] !== '' && rows.join('').length > 45 * rows.length;
 }
 
-// A picture is a link to its own file, so that it can be seen larger.
+// Each picture becomes a link to its file, so that a reader can enlarge it.
 const enlarged = (html) => html.replace(/(<live-chapter[^>]*>|<button type="button" class="tap"[^>]*>)?(<img src="([^"]*)"[^>]*>)/g, (whole, inside, img, source) => inside ? whole : `<a class="picture" href="${source}">${img}</a>`);
 
 // In a table of pictures, the cells share the width; a table of numbers scrolls if it is wider than the page.
@@ -225,20 +225,21 @@ const links = (html, sources) => html.replace(/<a href="source:([^"#]*)(#[^"]*)?
 });
 
 // The body of a page from pandoc's HTML.
-//   stem      its chapter, or undefined
-//   sources   shows files of the project (sources.mjs)
-//   pictures  receives the pictures that it shows: name in the site -> file
+//   stem      the page's chapter; undefined if it is not a chapter's page
+//   sources   the pages that show files of the project (sources.mjs)
+//   pictures  receives the pictures that the page shows: name in the site -> file
 export function bodyOf(html, {stem, sources, pictures}) {
     html = inline(blocks(formulas(html), sources));
     if (stem) html = guesses(scrubs(html, parametersOf(stem)), stem, pictures);
     html = links(images(stem ? live(html, stem, pictures) : html, pictures), sources);
     html = tables(html).replaceAll(' />', '>');
-    // Headings above the first section do not belong to one: they look small, but no level is skipped.
+    // Headings above the first section do not belong to any section: they look small, but no level is skipped.
     html = html.replace(/^.*?(?=<h2|$(?![^]))/s, (head) => head.replace(/<h3( [^>]*)>(.*?)<\/h3>/gs, '<h2 class="minor"$1>$2</h2>'));
     return enlarged(html);
 }
 
-// The sections of a body: [{level, id, html, lang, text}], where html is the heading's content, and text what is below.
+// The sections of a body: [{level, id, html, lang, text}], where html is the content of the heading and text is the
+// text below it.
 export function sectionsOf(html) {
     const parts = html.split(/<h([1-3])((?: [\w-]+="[^"]*")*)>(.*?)<\/h\1>/s);
     const sections = [];

@@ -8,7 +8,7 @@ export class Changes {
     constructor(stage) {
         const {part} = stage;
         this.stage = stage;
-        this.files = {}; // those that differ from their first state
+        this.files = {}; // the files that differ from their first state
         this.brought = new Map(); // texts that the course does not have, in their first state
         this.said = part('span');
         this.line = part('p', {className: 'live-changes', hidden: true}, this.said, ' ', stage.button('Undo all', () => this.undo(this.named)));
@@ -47,7 +47,8 @@ export class Changes {
         return link?.stem === at.stem ? link.line : null;
     }
 
-    // The text to which a file can be reset: the course's, or for an answer the chapter's; null if there is none.
+    // The text to which a file can be reset: that of the course or, for an answer, that of the chapter; null if there
+    // is none.
     async original(name) {
         const {program} = this.stage, exercise = edits.exerciseOf(name);
         const chapter = exercise && [...program.course].find((one) => one.startsWith(`chapters/${exercise.slice(0, 2)}_`));
@@ -55,7 +56,7 @@ export class Changes {
     }
 
     // Put a reader's answer to an exercise where the program finds it.
-    //   text  the first text; null: the chapter's, or the answer so far
+    //   text  the first text; if null, the answer so far or, if there is none, the text of the chapter
     async draft(at, name, text = null) {
         await this.begin(at);
         if (text !== null) await this.change(name, text);
@@ -63,7 +64,7 @@ export class Changes {
         if (text !== null) this.editor?.renew(name);
     }
 
-    // Add a file that the course does not have, and remove everything left of one with the same name.
+    // Add a file that the course does not have, and remove all traces of an earlier file with the same name.
     //   base  the text to which Reset returns
     async bring(at, name, base, text) {
         await this.begin(at);
@@ -72,8 +73,8 @@ export class Changes {
         this.editor?.renew(name);
     }
 
-    // Another tab has stored other texts. Files that are not shown here take them over; for the others, the reader
-    // decides.
+    // Another tab has stored other texts. Files that are not shown here take over the other text; for those that are
+    // shown, the reader decides.
     async elsewhere(all) {
         const shown = this.stage.state?.files ?? [], differ = Object.keys({...all, ...this.files}).filter((name) => all[name] !== this.files[name]);
         const take = async (names) => {
@@ -94,8 +95,8 @@ export class Changes {
         for (const [name, text] of Object.entries(this.files)) this.stage.program.write(name, text);
     }
 
-    // Write the course's own files if `original` is true, because the reader's changes may not even start; otherwise
-    // write the changes.
+    // If `original` is true, write the course's own files, because a program with the reader's changes may not even
+    // start; otherwise write the changes.
     async lay(original) {
         const {program} = this.stage;
         if (!original) return this.write();
@@ -111,7 +112,7 @@ export class Changes {
         const {program} = this.stage;
         program.write(name, text); // the program checks its files, and reloads them
         const later = [...program.later].some((one) => text.includes(`"${one.slice(one.lastIndexOf('/') + 1)}"`));
-        if (later && this.stage.at) program.fetchFiles(this.stage.at.stem, this.stage.line).catch(() => {}); // the text includes files that were not needed before
+        if (later && this.stage.at) program.fetchFiles(this.stage.at.stem, this.stage.line).catch(() => {}); // the text may include files that were not needed before
         const original = await this.original(name);
         if (text === original) delete this.files[name];
         else this.files[name] = text;

@@ -62,8 +62,8 @@ class Judge {
         return this.program.module.ccall(name, name === 'judge_share' ? 'number' : 'string', values.map((value) => typeof value), values);
     }
 
-    // Returns the message about what is wrong, a description of the difference, a picture of it, its share and its
-    // pixel.
+    // Returns what is wrong ('' if nothing is), a description of the difference, a picture of the difference, the share
+    // of pixels that differ, and the pixel to follow.
     compare(shown, right, mine) {
         if (right.width !== mine.width || right.height !== mine.height) throw new Error(`one picture has ${right.width} × ${right.height} pixels, the other ${mine.width} × ${mine.height}`);
         const {module} = this.program, size = 3 * right.width * right.height;
@@ -87,7 +87,7 @@ class Judge {
 // ---- An exercise ----
 
 // Judge a text. Returns {right, words, place?, rays?, pictures?: {mine, difference}}.
-//   told  is called with messages about the progress
+//   told  is called with messages about progress
 export async function judge(name, text, told = () => {}) {
     const {stem, number, pictures} = await exercise(name);
     const solution = SOLUTION(stem, number), own = await Judge.load();
@@ -122,9 +122,9 @@ export async function judge(name, text, told = () => {}) {
 
 // Draw two pictures and compare them. Returns {words, changed, pictures: [{name, data}], difference}.
 //   stem   of the chapter's program
-//   lines  its command line for each, with --output
+//   lines  the program's command line for each picture, with --output
 //   files  the files that the reader has changed, {NAME: TEXT}; `changed` lists those that the pictures show
-//   told   is called with messages about the progress
+//   told   is called with messages about progress
 export async function compare(stem, lines, files, told = () => {}) {
     const own = await Judge.load();
     try {
@@ -164,7 +164,7 @@ async function changesOf(stage) {
 const GREY = 'The difference: grey where the two pictures are equal';
 
 // Carry out a form.check.
-//   edit  opens the editor on the answer, which may begin with a text
+//   edit  opens the editor with the answer; a second argument gives the text with which the answer begins
 export async function check(form, stage, part, edit) {
     if (form.getAttribute('aria-busy') === 'true') return;
     const verdict = form.querySelector('.live-verdict') || form.appendChild(part('div', {className: 'live-verdict'}));

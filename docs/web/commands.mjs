@@ -30,10 +30,10 @@ export function pictureOf(name) {
     return found && !FIXED.test(found.line) ? found : undefined;
 }
 
-// An interactive figure's shader.
+// Does this command line draw an interactive figure?
 export const isFigure = (line) => /(?:-f|--shader)[ =]chapters\/figures\//.test(line);
 
-// The words of a command as a shell reads them; a comment ends it.
+// The words of a command as a shell reads them; a comment ends the command.
 function wordsOf(command) {
     const words = [];
     for (const [word] of command.matchAll(/(?:'[^']*'|[^\s'])+/g)) {
@@ -50,8 +50,8 @@ function stemOf(name) {
     return stem;
 }
 
-// The command line for a program whose window is in the page: {line, still}. A picture that the window can show is not
-// written to a file; the window shows it with the time paused.
+// The command line for a program whose window is in the page: {line, still}. If the window can show the picture that
+// the command would write, no file is written, and the window shows that picture with the time paused.
 function lineOf(words) {
     const at = words.findIndex((word) => word === '--output' || word === '-o');
     const still = at >= 0 && !words.some((word) => STILL.some((still) => word === still || word.startsWith(`${still}=`)));
@@ -75,12 +75,12 @@ function pairOf(command, above) {
 }
 
 // What a command of a page does:
-//   {stem, line, still}  runs the chapter's program with a line; whether the time is paused; with `head` or `tail`, the page
-//                        shows only that many first or last lines of the output
-//   {stem, line, other}  two lines that write a picture each, to be compared
-//   {check, stem}        an exercise, "03_2", and its chapter
-//   {reason}             why it has no button; in the course for students, exercises cannot be checked in a page
-// Throws if it does none of these: then commands.txt lacks a line.
+//   {stem, line, still}  it runs the chapter's program with this line, with the time paused if `still`; with `head` or
+//                        `tail`, the page shows only that many first or last lines of the output
+//   {stem, line, other}  it compares the pictures that these two lines write
+//   {check, stem}        it checks an exercise, "03_2", of this chapter
+//   {reason}             it has no button, for this reason; in the course for students, a page cannot check exercises
+// Throws if the command does none of these: then commands.txt lacks a line.
 //   above  the commands above it in its block
 export function commandOf(command, above = []) {
     const pair = pairOf(command, above);
@@ -102,8 +102,8 @@ export function commandOf(command, above = []) {
     throw new Error(`docs/web/commands.txt: no line says why this command has no button: ${command}`);
 }
 
-// The commands of a block, each with the comments above it: [{text, command}]. A command continues after a backslash
-// and within quotes or braces.
+// The commands of a block: [{text, command}], where text includes the comments above the command. A command continues
+// after a backslash and within quotes or braces.
 export function piecesOf(block) {
     const pieces = [];
     let text = '', command = '';

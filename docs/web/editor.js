@@ -9,7 +9,7 @@ import {lintGutter, lintKeymap, setDiagnostics} from '@codemirror/lint';
 import {shader} from '@codemirror/legacy-modes/mode/clike';
 import {tags} from '@lezer/highlight';
 
-const REST = 300; // milliseconds without a key press until a text is tried
+const REST = 300; // milliseconds without a key press after which a text is tried
 
 const colours = syntaxHighlighting(HighlightStyle.define([
     {tag: [tags.keyword, tags.controlKeyword, tags.modifier], class: 'live-keyword'},
@@ -41,7 +41,8 @@ export class Editor {
     //   parent   receives the tabs and the text
     //   read     returns the text of a file, given its name
     //   changed  is called with a file's name and its new text, when the reader stops typing
-    //   bottom   returns the height on the screen, in pixels, below which the text is covered, or Infinity
+    //   bottom   returns the position on the screen, in pixels from the top, below which the text is covered; Infinity
+    //            if none of it is
     constructor(parent, {read, changed, bottom}) {
         this.read = read;
         this.changed = changed;
@@ -82,7 +83,7 @@ export class Editor {
         });
     }
 
-    // Pass on a change that is still waiting for a pause in typing. Returns when this is done.
+    // Pass on a change that is still waiting for a pause in typing. Resolves when the change has been passed on.
     async flush() {
         clearTimeout(this.timer);
         if (!this.waits) return;
@@ -92,7 +93,7 @@ export class Editor {
 
     text() { return this.view.state.doc.toString(); }
 
-    // Show tabs for these files, and select the first if none of them is shown now.
+    // Show tabs for these files, and select the first file if none of them is shown now.
     open(names) {
         const list = names.join();
         if (list === this.list) return;
@@ -135,7 +136,7 @@ export class Editor {
         this.tabs.children[at].focus();
     }
 
-    // Show a file's new text, and forget the old one: it cannot be undone.
+    // Show a file's new text and forget the old one, so that undo cannot restore it.
     renew(name) {
         this.states.delete(name);
         if (name !== this.name) return;

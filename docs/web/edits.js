@@ -3,16 +3,16 @@
 const HERE = `ray marching: changes in ${new URL('.', import.meta.url).pathname}`;
 const MARK = '#edit=';
 const NAME = /^(chapters|shaders)\/[\w./-]+\.(frag|glsl)$/; // the files that may be changed
-const LONGEST = 1 << 20; // the maximum length of an unpacked address
+const LONGEST = 1 << 20; // the most bytes of unpacked changes
 
-// The file of a reader's answer to an exercise, "03_2", which begins as the chapter's own.
+// The file of a reader's answer to an exercise, "03_2". It begins as a copy of the chapter's shader.
 export const draftOf = (exercise) => `chapters/exercises/${exercise}/my.frag`;
 export const exerciseOf = (name) => /^chapters\/exercises\/(\d\d_\d+)\/my\.frag$/.exec(name)?.[1];
 
 // Does a storage event say that another tab has stored something?
 export const isOurs = (event) => event.key === HERE || event.key === null;
 
-// {NAME: TEXT} of the stored files.
+// The stored files, {NAME: TEXT}.
 export function kept() {
     try {
         return clean(JSON.parse(localStorage.getItem(HERE) || '{}'));
@@ -35,7 +35,7 @@ export function keep(name, text) {
     }
 }
 
-// The files that a command line shows, as far as its options tell: its shader and the library.
+// Of these names, the files that a command line shows, as far as its options say: its shader and the library.
 export function shownBy(names, stem, line) {
     const shader = /--shader[ =](\S+)/.exec(line)?.[1] ?? `chapters/${stem}.frag`;
     return names.filter((name) => name === shader || name.startsWith('shaders/'));
@@ -59,12 +59,12 @@ async function through(stream, bytes, most = Infinity) {
         if (done) break;
         parts.push(value);
         size += value.length;
-        if (size > most) throw new Error('it is too long');
+        if (size > most) throw new Error('they are too long');
     }
     return new Uint8Array(await new Blob(parts).arrayBuffer());
 }
 
-// The fragment of an address that contains changes.
+// Pack changes into the fragment of an address.
 //   stem, line  the program that shows them, and its command line
 //   files       {NAME: TEXT}
 export async function pack(stem, line, files) {

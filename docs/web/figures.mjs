@@ -1,5 +1,5 @@
-// figures.mjs - prepares the figures of docs/figures/ for a page: their colours follow its theme, and they contain
-// their fonts, because a picture cannot load a font, and the reader's machine may not have it.
+// figures.mjs - prepares the figures of docs/figures/ for a page. Their colours follow the theme of the page. They
+// contain their fonts, because a picture cannot load a font, and the reader's machine may not have that font.
 import fs from 'node:fs';
 import {plain} from './colour.mjs';
 import {subset} from './fonts.mjs';

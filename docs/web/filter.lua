@@ -46,7 +46,7 @@ local function raw(element)
     return element.format:match('html') and element.text:match('^<!%-%-') and {} or nil
 end
 
--- A listing below its marker, and the French summary below its heading.
+-- Name each listing after the marker above it, and mark the French summary below its heading as French.
 local function neighbours(blocks)
     for i = 1, #blocks - 1 do
         local here, after = blocks[i], blocks[i + 1]

@@ -1,5 +1,5 @@
-// find.js - the search in all pages: loaded, like its index, when its field is first used. This is a classic
-// script, because browsers run no modules from file://.
+// find.js - the search in all pages. Like its index, it is loaded when the search field is first used. This is a
+// classic script, because browsers run no modules from file://.
 (() => {
     const field = document.querySelector('.search input'), list = document.querySelector('.results'), found = document.querySelector('.found');
     const up = field.dataset.index.replace('search.js', '');
@@ -36,7 +36,7 @@
         return row[b.length] <= most;
     }
 
-    // A word that occurs nowhere is replaced with the most common one of the similar words, as the pages write it.
+    // Replace a word that occurs nowhere with the most common of the similar words in the pages.
     function mended(word) {
         if (word.length < 4 || entries.some((entry) => entry.low.includes(word) || entry.head.includes(word))) return word;
         if (!vocabulary) {
@@ -54,8 +54,8 @@
     // The weight of a word, which is greater if fewer sections contain it.
     const rarity = (word) => Math.log(1 + entries.length / (1 + entries.filter((entry) => entry.low.includes(word) || entry.head.includes(word)).length));
 
-    // How well a section fits. The more of the words it contains, in any order, the better; a word counts most in the
-    // title of the page, then in a heading, then at the beginning of a word.
+    // How well a section fits: the more of the words it contains, in any order, the better. A word counts most in the
+    // title of the page, then in a heading, then at the beginning of a word in the text.
     //   words  {word, rare}
     function scoreOf(entry, words) {
         let sum = 0, has = 0;
@@ -72,7 +72,7 @@
         return sum * 4 ** (has - words.length);
     }
 
-    // The text around the first word that is found; no word is cut.
+    // The text around the first of the words that the section contains; no word is cut.
     function excerpt(entry, words) {
         const small = document.createElement('small'), at = words.map((word) => entry.low.indexOf(word)).find((i) => i >= 0) ?? 0;
         const from = at < 60 ? 0 : entry.text.indexOf(' ', at - 60) + 1, end = entry.text.length - from <= LENGTH ? entry.text.length : entry.text.lastIndexOf(' ', from + LENGTH);

@@ -4,7 +4,7 @@ import {promisify} from 'node:util';
 
 const run = promisify(execFile);
 
-// Turns the ranges of fontconfig, such as "20-7e a0 2019", into a function that tests a letter.
+// Turn the ranges of fontconfig, such as "20-7e a0 2019", into a function that tests a letter.
 function holder(charset) {
     const ranges = charset.split(' ').map((range) => range.split('-').map((code) => parseInt(code, 16)));
     return (letter) => ranges.some(([first, last = first]) => letter.codePointAt(0) >= first && letter.codePointAt(0) <= last);

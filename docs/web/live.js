@@ -1,7 +1,7 @@
 // live.js - <live-chapter stem="03_shadows" line="--time 3">: a chapter's program in a page. At first it shows only a
 // poster and a button; a click loads the module, the controls and the editor.
 //
-// A button.run opens a further element below its command, and a form.check judges an exercise. A page has only one
+// A button.run opens another such element below its command, and a form.check judges an exercise. A page has only one
 // program, which moves to the element that was used last.
 
 import {draftOf} from './edits.js';
@@ -18,7 +18,7 @@ const part = (name, properties = {}, ...children) => {
 // Request all the files that a program needs at once, instead of each only when another one names it.
 const PARTS = ['stage', 'program', 'harness'], DATA = ['harness.wasm', 'course.json'];
 
-//   text  the name of the shader that is also requested; '' for none
+//   text  the name of a shader to request as well; '' for none
 async function load(text) {
     const from = (name) => new URL(name, import.meta.url).href;
     document.head.append(...PARTS.map((name) => part('link', {rel: 'modulepreload', href: from(`${name}.js`)})),
@@ -46,7 +46,7 @@ class LiveChapter extends HTMLElement {
         this.prepare();
     }
 
-    // The text of the button if the address contains changes.
+    // Set the text of the button if the address contains changes.
     prepare() {
         if (this.isFirst && location.hash.startsWith('#edit=')) {
             this.button.textContent = '▶ Run the changes in this link';
@@ -67,11 +67,11 @@ class LiveChapter extends HTMLElement {
         return stage;
     }
 
-    // Run a command line here: what options.c reads after the program's name. Returns the exit status once it is
-    // done, or the window shows its first picture. The page's program moves here if it is elsewhere.
-    //   shown  {head} show only this many first lines of the output, {tail} this many last lines; {still} the time is
-    //          paused until the reader resumes it; {probe} the pixel whose ray is shown, "0.5,0.5" of the picture, and
-    //          {step} the step up to which it is shown
+    // Run a command line here: the text that options.c reads after the program's name. Returns the exit status once the
+    // command is done or the window shows its first picture. The page's program moves here if it is elsewhere.
+    //   shown  {head} shows only this many first lines of the output, {tail} only this many last lines; {still} pauses
+    //          the time until the reader resumes it; {probe} is the pixel whose ray is shown, "0.5,0.5" for the middle
+    //          of the picture, and {step} the step up to which the ray is shown
     async run(line = this.getAttribute('line') || '', shown = {still: this.isInPlace && !this.hasHands, probe: this.getAttribute('probe'), step: this.getAttribute('step')}) {
         if (!draws()) {
             this.say('This browser has no WebGL 2, so no program can run here; all text and pictures are shown.');
@@ -102,7 +102,7 @@ class LiveChapter extends HTMLElement {
 
     // Write a text into the course's files as chapters/NAME, open it in the editor and run it. Returns the exit status.
     //   base  the text to which Reset returns
-    //   stem  the chapter whose camera it begins with
+    //   stem  the chapter with whose camera the shader begins
     async play(name, base, text = base, stem = this.stem) {
         this.setAttribute('stem', stem);
         stage ??= load('');
@@ -123,7 +123,7 @@ class LiveChapter extends HTMLElement {
 
 customElements.define('live-chapter', LiveChapter);
 
-// A film replaces its picture two seconds after the page is loaded, when nothing else waits for the network, unless its
+// A film replaces its picture two seconds after the page is loaded, when nothing else waits for the network, unless the
 // reader wants reduced motion or reduced data.
 addEventListener('load', () => setTimeout(() => {
     if (matchMedia('(prefers-reduced-motion: reduce)').matches || navigator.connection?.saveData) return;
@@ -149,7 +149,7 @@ function chapterOf(button, stem) {
     return chapter;
 }
 
-// Compare the two pictures of a button, and show the result below it; the running program continues.
+// Compare the two pictures of a button, and show the result below the button; the running program continues.
 async function compare(button) {
     if (button.getAttribute('aria-busy') === 'true' && beside.get(button)?.isConnected) return;
     button.setAttribute('aria-busy', 'true');
@@ -178,8 +178,8 @@ document.addEventListener('click', (event) => {
     else if (button) chapterOf(button, button.dataset.stem).run(button.dataset.line || '', {head: Number(button.dataset.head), tail: Number(button.dataset.tail), still: 'still' in button.dataset});
 });
 
-// A reader's answer to an exercise in the editor, below its form.
-//   text  the first text; otherwise the chapter's, or the answer so far
+// Open a reader's answer to an exercise in the editor, below the form of the exercise.
+//   text  the first text; if undefined, the answer so far or, if there is none, the text of the chapter
 async function edit(form, text) {
     const chapter = chapterOf(form.querySelector('button'), form.dataset.stem), name = draftOf(form.dataset.exercise.replace('-', '_'));
     stage ??= load('');
@@ -188,8 +188,8 @@ async function edit(form, text) {
     if (await chapter.run(`--shader ${name}`) === 0) changes.toggle(true);
 }
 
-// Run a chapter for a number in a sentence.
-//   own  run the chapter's own shader, because the picture's shader does not have the parameter
+// Run a <live-chapter> for a number in a sentence.
+//   own  true to run the chapter's own shader, because the picture's shader does not have the parameter
 async function runIn(at, own = false) {
     await (own ? at.run('') : at.run());
 }

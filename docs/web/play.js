@@ -8,7 +8,7 @@ const LIMIT = 1 << 20; // bytes of a file: a shader has a few thousand
 const KEY = `ray marching: drafts in ${new URL('.', location.href).pathname}`, STEM = chapter.getAttribute('stem'), SIZE = [160, 90], LOOK = 2000;
 const BLANK = 'void mainImage(out vec4 colour, in vec2 pixel)\n{\n    colour = vec4(pixel / iResolution.xy, 0.5, 1.0);\n}\n';
 let at = ''; // the draft that is open
-let pictured = null; // its text when its picture was taken
+let pictured = null; // the draft's text when its picture was taken
 
 const say = (text) => { said.textContent = text; };
 const make = (name, properties = {}, ...children) => {
@@ -19,8 +19,8 @@ const make = (name, properties = {}, ...children) => {
 
 // ---- What this device stores ----
 
-// {NAME: {base, stem, good, picture}}: the text that a draft began with, the chapter whose camera it has, the last text
-// that was drawn, and a small picture of it. edits.js stores its changes.
+// {NAME: {base, stem, good, picture}}: the text with which a draft began, the chapter whose camera it has, the last
+// text that was drawn, and a small picture of that text. edits.js stores the changes of a draft.
 function drafts() { try { return JSON.parse(localStorage.getItem(KEY)) ?? {}; } catch { return {}; } }
 function keep(all) {
     try { localStorage.setItem(KEY, JSON.stringify(all)); } catch { say('This browser keeps no drafts: download what you want to keep.'); }
@@ -73,7 +73,7 @@ async function play(name, base, text = base, stem = STEM) {
     keep({...drafts(), [name]: {...drafts()[name], base, stem}});
     const status = await chapter.play(`${name}.frag`, base, text, stem);
     for (const tool of tools) tool.disabled = tool.matches('.export') && status !== 0;
-    pictured = null; // take one once it is drawn
+    pictured = null; // take a picture once the text is drawn
     say(status === 0 ? `${name}.frag runs.` : `${name}.frag cannot be drawn; see the error above.`);
 }
 
@@ -104,7 +104,7 @@ function draws() {
 }
 const note = (more) => { const all = drafts(); keep({...all, [at]: {...all[at], ...more, good: textOf(at)}}); };
 
-// A small picture of the canvas: it is read in the same turn in which it is drawn.
+// Take a small picture of the canvas, in the same turn in which the canvas is drawn.
 function picture() {
     const {program} = chapter;
     if (document.hidden || !program.module._live_turn()) return;
@@ -128,7 +128,7 @@ for (const button of box.querySelectorAll('.starter')) button.addEventListener('
 box.querySelector('input[type=file]').addEventListener('change', (event) => take(event.target.files[0]));
 box.addEventListener('dragover', (event) => { event.preventDefault(); box.classList.add('over'); });
 box.addEventListener('dragleave', () => box.classList.remove('over'));
-// A file that is dropped beside the box would otherwise replace the page.
+// Without these two listeners, a file that is dropped beside the box would replace the page.
 addEventListener('dragover', (event) => event.preventDefault());
 addEventListener('drop', (event) => {
     event.preventDefault();

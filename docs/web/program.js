@@ -1,12 +1,12 @@
 // program.js - a chapter's program in a page: loads the module once, gives it the files that a command line needs, lets
-// it draw frames, and passes on the input on its canvas. It creates no elements.
+// it draw frames, and passes on the input on its canvas. This module creates no elements.
 import loadHarness from './harness.js';
 
 const ROOT = '/course/';
 const PRESS = 1, RELEASE = 0, REPEAT = 2;
 const FINGER = 30; // the distance, in the page's units, within which a finger grabs a handle
 const POLL = 20; // milliseconds between two checks of a driver that is compiling
-const PIXELS = 1280 * 720; // the most that the drawing buffer has: the harness uses fewer if a picture takes long
+const PIXELS = 1280 * 720; // the most pixels of the drawing buffer; the harness uses fewer if a picture takes long
 
 // GLFW's key codes by the position of the key. Tab and the function keys are left to the browser.
 const KEYS = {
@@ -17,8 +17,8 @@ const KEYS = {
 const CODES = Object.fromEntries(Object.entries(KEYS).map(([code, key]) => [key, code]));
 const CURSORS = {0x36002: 'text', 0x36003: 'crosshair', 0x36004: 'pointer', 0x36005: 'ew-resize', 0x36006: 'ns-resize'};
 
-// GLFW's code for the key of an event; 0 for a key that is left to the browser, such as every key with Ctrl: Ctrl+W
-// closes the page.
+// GLFW's code for the key of an event; 0 for a key that is left to the browser. These include every key with Ctrl:
+// Ctrl+W closes the page.
 function keyOf(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return 0;
     const match = /^(?:Key([A-Z])|Digit([0-9]))$/.exec(event.code);
@@ -45,12 +45,13 @@ async function fetched(url) {
 export class Program {
     // Load the module for a canvas, which no other program may use. Hooks:
     //   onLine(text, isError)   the program prints a line
-    //   onPicture(data, name)   it writes a picture: ImageData
-    //   onSize(width, height)   it asks for a window or a picture of that size
+    //   onPicture(data, name)   the program writes a picture, an ImageData
+    //   onSize(width, height)   the program asks for a window or a picture of that size
     //   onDraw()                the first picture after a start has been drawn
     //   onEnd()                 no further turn follows: state().error gives the reason, or nothing
     //   onLost()                the browser takes the graphics context away
-    //   onFound(fails)          it has given it back; true if the program that was running no longer loads
+    //   onFound(fails)          the browser has given the context back; fails: the shader that was running no longer
+    //                           loads
     static async load(canvas, hooks = {}) {
         const program = new Program();
         program.canvas = canvas;
@@ -164,7 +165,7 @@ export class Program {
         return JSON.parse(this.call('live_state'));
     }
 
-    // Has the program read all files since the last of them was written? It looks for changes every 0.1 s.
+    // Has the program read all files since the last one was written? The program looks for changes every 0.1 s.
     get reread() { return this.turned - this.written > 200; }
 
     stop() {
@@ -172,7 +173,7 @@ export class Program {
         this.call('live_stop');
     }
 
-    // Draw frames as long as they are visible.
+    // Draw frames as long as the canvas is visible.
     run() {
         const turn = () => {
             this.asked = 0;
@@ -213,7 +214,7 @@ export class Program {
         new IntersectionObserver((entries) => { this.near = entries.at(-1).isIntersecting; this.show(); }).observe(canvas);
         document.addEventListener('visibilitychange', () => this.show());
         canvas.addEventListener('webglcontextlost', (event) => {
-            event.preventDefault(); // otherwise it would never be restored
+            event.preventDefault(); // otherwise the context would never be restored
             this.lost = true;
             this.hooks.onLost?.();
         });
@@ -226,7 +227,7 @@ export class Program {
     }
 
     // Create everything again after the context was lost. If the shader can no longer be loaded, there is no window
-    // until this is called with other files.
+    // until this function is called with other files.
     restore() {
         this.call('live_restore');
         this.run();
@@ -247,7 +248,8 @@ export class Program {
         canvas.addEventListener('keydown', (event) => key(event, event.repeat ? REPEAT : PRESS));
         canvas.addEventListener('keyup', (event) => key(event, RELEASE));
         canvas.addEventListener('focus', () => module._live_focus(1));
-        // A finger on a handle drags it, and one beside it scrolls the page; with a tool, every finger works on the picture.
+        // A finger on a handle drags the handle; elsewhere, it scrolls the page. With a tool, every finger works on the
+        // picture.
         canvas.addEventListener('touchstart', (event) => { if (event.touches.length === 1 && this.toHandle(event.touches[0])) event.preventDefault(); }, {passive: false});
         canvas.addEventListener('blur', () => module._live_focus(0));
         // The wheel scrolls the page unless the picture has the focus.

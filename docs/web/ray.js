@@ -39,7 +39,7 @@ export class Ray {
     show({pixel, probe, why, shown, view}) {
         const chosen = pixel[0] >= 0;
         this.shown = shown;
-        if (chosen && !probe && !why) return; // marched again with the next frame; until then, the old one is shown
+        if (chosen && !probe && !why) return; // the next frame marches the ray; until then, the old ray is shown
         this.none.hidden = chosen;
         this.outcome.hidden = this.tools.hidden = !chosen;
         this.scroll.hidden = !probe?.recorded;
@@ -64,8 +64,8 @@ export class Ray {
         if (!this.slice.hidden && this.element.open) this.drawSlice(`${text} ${shown}`);
     }
 
-    // On a narrow page the slice is below the picture: the program draws it once, and then the view that is shown again,
-    // before the browser shows either.
+    // On a narrow page the slice is below the picture: the program draws the slice once, and then the current view
+    // again, before the browser shows either.
     drawSlice(what) {
         if (what === this.drawn) return;
         this.drawn = what;

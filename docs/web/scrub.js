@@ -1,10 +1,10 @@
-// scrub.js - numbers in sentences: code such as `shadowOffset=0.25` that names a parameter can be dragged sideways, or
-// changed with the arrow keys, and the picture nearest to it follows.
+// scrub.js - numbers in sentences: code such as `shadowOffset=0.25` that names a parameter can be dragged sideways or
+// changed with the arrow keys, and the picture nearest to the number follows.
 const WAY = 240; // the distance, in the page's units, from a parameter's minimum to its maximum
 
 export class Scrub {
     //   code   the element, code.scrub
-    //   runIn  runs a <live-chapter>: its own command line or, if the second argument is true, the chapter's shader
+    //   runIn  runs a <live-chapter>: its command line or, if the second argument is true, the chapter's own shader
     constructor(code, runIn) {
         const [name, value] = code.textContent.split('=');
         Object.assign(this, {code, runIn, name, value: Number(value), turn: 0});
@@ -49,13 +49,13 @@ export class Scrub {
 
     parameter(at) { return at.program?.call('live_runs') && at.program.state().parameters.find(({name}) => name === this.name); }
 
-    // Set the parameter to a value that is moved by this share of its range.
+    // Set the parameter to a value that is moved by this share of the parameter's range.
     async move(from, share) {
         const turn = ++this.turn;
         let at = this.picture();
         if (!this.parameter(at)) {
             await (this.starting ??= this.runIn(at).finally(() => { this.starting = null; }));
-            if (!this.parameter(at)) await this.runIn(at = document.querySelector('live-chapter'), true); // a picture of another shader
+            if (!this.parameter(at)) await this.runIn(at = document.querySelector('live-chapter'), true); // the picture's shader lacks the parameter
         }
         const parameter = this.parameter(at);
         if (turn !== this.turn || !parameter) return;

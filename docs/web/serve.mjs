@@ -1,4 +1,4 @@
-// serve.mjs FOLDER [PORT] - serves a folder on this machine only; used by `make serve`.
+// serve.mjs FOLDER [PORT] - serves a folder to this machine only; used by `make serve`.
 import fs from 'node:fs';
 import http from 'node:http';
 import path from 'node:path';
@@ -13,7 +13,7 @@ const TYPES = {
 
 const PACKED = /\.(png|webp|woff2|zip)$/; // these are compressed already
 
-// The path in an address; '' if it is not valid text, such as %FF.
+// The path in an address; '' if the path is not valid text, as in %FF.
 function nameIn(address) {
     try {
         return decodeURIComponent(new URL(address, 'http://localhost').pathname);

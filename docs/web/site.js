@@ -73,7 +73,7 @@
     document.addEventListener('scroll', follow, {passive: true});
     follow();
 
-    // The target of a link may be folded.
+    // If the target of a link is in a closed fold, open the fold.
     function unfold() {
         const target = location.hash && document.getElementById(idOf(location.hash));
         const fold = target && target.closest('details:not([open])');
@@ -109,10 +109,10 @@
         link.href = href;
         link.textContent = label;
         line.append(text, link, '.', close);
-        document.querySelector('main').prepend(line); // it floats over the page, so nothing moves
+        document.querySelector('main').prepend(line); // the line floats over the page, so nothing moves
     }
     const last = saved('last'), own = saved(`read ${page}`);
-    const again = performance.getEntriesByType('navigation')[0]?.type !== 'navigate'; // then the browser itself restores the position
+    const again = performance.getEntriesByType('navigation')[0]?.type !== 'navigate'; // if so, the browser itself restores the position
     if (page === 'index.html' && last && last.page !== page) offer('You were reading ', `${last.page}#${last.id}`, `${last.title}, ${last.words}`);
     else if (page !== 'index.html' && own && !location.hash && !again && document.getElementById(own.id)) offer('You stopped at ', `#${own.id}`, own.words);
     document.addEventListener('scrollend', keep);
@@ -121,7 +121,7 @@
     // ---- Boxes that scroll sideways can be reached with the keyboard ----
 
     const wide = new ResizeObserver((seen) => {
-        const overflows = seen.map(({target}) => target.scrollWidth > target.clientWidth + 1); // all, before the first changes
+        const overflows = seen.map(({target}) => target.scrollWidth > target.clientWidth + 1); // measure all boxes before the first one changes
         seen.forEach(({target}, i) => { if (overflows[i]) target.tabIndex = 0; else target.removeAttribute('tabindex'); });
     });
     for (const box of document.querySelectorAll('main pre, .table, .formula')) wide.observe(box);

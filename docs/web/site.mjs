@@ -1,8 +1,8 @@
-// site.mjs OUT PAGE... - the pages of docs/ as a static site: `make site` calls it after the module is built.
-//   OUT   the folder, which must exist
+// site.mjs OUT PAGE... - makes a static site from the pages of docs/. `make site` calls it after the module is built.
+//   OUT   the folder of the site, which must exist
 //   PAGE  pages in the order of reading
-// It also writes the front page, Play, the files that pages link to, the index of the search, the pictures, and the
-// fonts. OUT.parts/ is for intermediate files.
+// The script also writes the front page, Play, the files that pages link to, the index of the search, the pictures, and
+// the fonts. OUT.parts/ is for intermediate files.
 import {createHash} from 'node:crypto';
 import {execFile} from 'node:child_process';
 import fs from 'node:fs';
@@ -46,7 +46,7 @@ async function pageOf(file) {
     return page;
 }
 
-// One at a time per processor, because each pandoc uses a whole processor.
+// One page at a time per processor, because each pandoc uses a whole processor.
 async function pagesOf(names) {
     const pages = [];
     let next = 0;
@@ -59,8 +59,8 @@ async function pagesOf(names) {
     return pages;
 }
 
-// The note below a chapter's program: the page speaks of a terminal, which its reader may not have.
-const HERE_TOO = '<p class="note">You need no terminal on this page: <b>Run</b> carries out the command beside it, a picture comes to life when you touch it, and <b>Edit</b>, below it, opens its shader. '
+// The note below a chapter's program, because the page speaks of a terminal, which a reader may not have.
+const HERE_TOO = '<p class="note">You need no terminal on this page: <b>Run</b> carries out the command beside it, a picture becomes a running program when you touch it, and <b>Edit</b>, below it, opens its shader. '
     + '<a href="pages.html">How these pages work</a></p>';
 const hinted = (page) => page.stem ? page.body.replace(/<\/live-chapter>(?:\s*<div class="commands">.*?<\/button><\/div><\/div>)?/s, (program) => `${program}\n${HERE_TOO}`) : page.body;
 
@@ -72,11 +72,12 @@ const HEAVY = 140e3;
 
 const idsOf = (html) => new Set([...html.matchAll(/\sid="([^"]*)"/g)].map(([, id]) => id));
 
-// The separate page for the proofs of a heavy page, which keeps a list of links to them; undefined for other pages.
+// The separate page for the proofs of a heavy page, which keeps a list of links to the proofs; undefined for other
+// pages.
 function proofsOf(page) {
     if (Buffer.byteLength(page.body) <= HEAVY) return undefined;
     const [whole, heading, body] = /(<h2 id="proofs">.*?<\/h2>)(.*?)(?=<h2|$(?![^]))/s.exec(page.body) ?? [];
-    if (!whole) throw new Error(`${page.address}: ${Buffer.byteLength(page.body)} bytes, and no section of proofs that could become a page of its own`);
+    if (!whole) throw new Error(`${page.address}: ${Buffer.byteLength(page.body)} bytes, and no section of proofs that could become a separate page`);
     const address = page.address.replace('.html', '-proofs.html');
     const items = [...body.matchAll(/<h3 id="([^"]*)">(.*?)<\/h3>/gs)].map(([, id, title]) => `<li><a href="${address}#${id}">${title.replace(/<\/?a[^>]*>/g, '')}</a></li>`);
     page.body = page.body.replace(whole, () => `${heading}<p>The proofs are on <a href="${address}">a separate page</a>:</p><ul>${items.join('')}</ul>`);
@@ -146,7 +147,7 @@ function turn(pages, page) {
         + `${after ? `<a rel="next" href="${after.address}"><small>Next</small> ${numbered(short(after))}</a>` : ''}</nav>`;
 }
 
-// The policy of a page names the one script that it contains.
+// The content security policy of a page names the hash of the one script that the page contains.
 const hash = `sha256-${createHash('sha256').update(/<script>(.*?)<\/script>/s.exec(template)[1]).digest('base64')}`;
 
 function fill(values) {
@@ -191,14 +192,14 @@ function gallery() {
         stem.slice(0, 2) >= from && stem.slice(0, 2) <= to).map(card).join('\n')}</ul>`).join('\n');
 }
 
-// The section of README.md, with its links relative to docs/.
+// The section "Where it comes from" of README.md, with its links relative to docs/.
 function whereFrom() {
     const section = /^## Where it comes from\n(.*?)(?=\n## |$(?![^]))/ms.exec(read('README.md'))[0];
     return section.replaceAll('](docs/', '](').trim();
 }
 
-// The sheets with which a reader may begin on the page Play: the name, the file in chapters/, and the reference picture
-// that shows it.
+// The sheets with which a reader may begin on the page Play: for each, the name, the file in chapters/, and the
+// reference picture that shows the sheet.
 const STARTERS = [
     ['Ball', 'first_steps/play', '00_first_scene-step-5'], ['Rings', 'first_steps/2_distance', '00_first_scene-step-2'],
     ...[['Normals', '01_normal_colouring'], ['Lamps', '02_lighting'], ['Shadows', '03_shadows'], ['Colours', '04_hue_colour'], ['Fractal', '06_sierpinski_symmetry'],
@@ -252,7 +253,7 @@ function letters(pages) {
     return {text, formula};
 }
 
-// The feature ssty would make the fonts half as large again, and no browser uses it by itself.
+// The feature ssty would make the fonts half as large again, and no browser uses that feature by itself.
 async function writeFonts({text, formula}) {
     const write = (name, font, letters, features) => subset(font, letters, features, `${out}/fonts/${name}.woff2`);
     await write('formula', 'TeX Gyre Pagella Math', formula, 'kern');

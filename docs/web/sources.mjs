@@ -11,8 +11,8 @@ export class Sources {
         this.shownBy = new Map();
     }
 
-    // The address of a file's page, relative to the top of the site, with the line where `text` begins; '' if this is
-    // not a text file of the project.
+    // The address of a file's page, relative to the top of the site, with the line where `text` begins; '' if the file
+    // is not a text file of the project.
     place(file, text = '') {
         if (!fs.existsSync(file) || !fs.statSync(file).isFile() || /\.(png|svg)$/.test(file)) return '';
         if (!this.texts.has(file)) {
@@ -24,7 +24,7 @@ export class Sources {
         return `source/${file}.html${line}`;
     }
 
-    // The file that an #include refers to, found as by shader/source.c and by the compiler.
+    // The file that an #include refers to, found as common/shader/source.c and the compiler find it.
     included(file, name) {
         const found = [path.join(path.dirname(file), name), `shaders/${name}`, `chapters/${name}`, `common/${name}`].find((each) => fs.existsSync(each));
         return found && this.place(found) ? found : undefined;

@@ -105,7 +105,7 @@ export class Stage {
         button.setAttribute('aria-label', label);
         const up = () => { this.program.module._live_key(key, RELEASE, 0); };
         button.addEventListener('pointerdown', (event) => {
-            event.preventDefault(); // prevents a selection and a menu
+            event.preventDefault(); // otherwise the browser would select text or open a menu
             button.setPointerCapture(event.pointerId);
             this.program.module._live_key(key, PRESS, 0);
         });
@@ -184,7 +184,7 @@ export class Stage {
         if (this.turn === turn && !this.program.call('live_runs')) this.ended();
     }
 
-    // While the driver compiles, say so; if it takes long, offer to undo the reader's changes.
+    // While the driver compiles, say so; if compiling takes long, offer to undo the reader's changes.
     compiles(does) {
         this.at?.classList.toggle('live-waits', does);
         if (does) this.patience ??= setTimeout(() => { this.slow = true; this.note('The graphics driver is still compiling.', ...this.undoing()); }, LONG);
@@ -217,7 +217,7 @@ export class Stage {
         at.classList.toggle('live-editing', !this.changes.element.hidden);
     }
 
-    // Leave the element. One that was opened by a command is removed, unless it still shows printed or drawn results.
+    // Leave the element. An element that a command opened is removed, unless it still shows printed or drawn results.
     leave() {
         const {at} = this;
         if (!at) return;
@@ -256,7 +256,7 @@ export class Stage {
         this.call('live_pixel', x, y);
     }
 
-    // The first frame has been drawn: it replaces the still picture. By then the ray has been marched.
+    // The first frame has been drawn, and replaces the still picture. By then the ray has been marched.
     drew() {
         if (this.shown?.step) this.call('live_step', Number(this.shown.step));
         this.at?.classList.add('live-drawn');
@@ -292,8 +292,7 @@ export class Stage {
         else if (isError && !this.canvas.getContext('webgl2')?.isContextLost()) this.wrong = text;
     }
 
-    // A picture that the program has written: if a command line wrote it, it is shown on the page; if a key did, it is
-    // saved.
+    // The program has written a picture. If a command line asked for it, show it on the page; if a key did, save it.
     show(data, name) {
         const {part} = this, {starting} = this;
         const canvas = part('canvas', {width: data.width, height: data.height});
@@ -362,8 +361,8 @@ export class Stage {
         const state = this.state = this.program.state();
         if (this.views.childElementCount !== state.views.length)
             this.views.replaceChildren(...state.views.map((name, view) => this.button(name, () => this.call('live_view', view))));
-        // A text with its own main has no camera, no views and no trace of a ray; an interactive figure needs none, and
-        // no time.
+        // A text with its own main has no camera, no views and no trace of a ray; an interactive figure needs none of
+        // these, and no time.
         this.views.hidden = this.pad.hidden = this.mover.hidden = this.back.hidden = this.rays.hidden = this.ray.element.hidden = state.views.length === 1 || this.at.hasHands;
         this.viewer.hidden = this.clock.hidden = this.status.hidden = this.at.hasHands;
         this.undo.hidden = !state.tool;
@@ -376,7 +375,7 @@ export class Stage {
         const error = state.error.replaceAll('/course/', '');
         if (this.error.textContent !== error) this.error.textContent = error;
         this.error.hidden = error === '';
-        // An input that nothing sets is reported where it is visible, until there is a worse message.
+        // An input that nothing sets is reported over the picture, until there is a worse message.
         if (error === '' && state.unset !== this.unset) this.note(state.unset);
         this.unset = state.unset;
         if (this.wrong && error === '') this.note(this.wrong.replaceAll('/course/', ''));

@@ -1,6 +1,6 @@
 // values.js - a row for each parameter of the shader: slider, number, unit, help, and a button that resets the value.
 
-// The scale of a parameter's slider: logarithmic if a key press multiplies the value.
+// The scale of a parameter's slider, which is logarithmic if a key press multiplies the value.
 function scaleOf(parameter) {
     const {minimum, maximum, step, type} = parameter;
     if (parameter.multiplies && minimum > 0)

@@ -8,10 +8,10 @@
 
 enum { VIEW_STEPS = 120 };
 
-// 683 lumens per watt, times the step of the wavelengths, 20 nm, over 4,000 cd/m^2.
+// 683 lumens per watt, times the step of the wavelengths, 20 nm, divided by 4,000 cd/m^2.
 static const double UNIT = 683.0 * 20.0 / 4000.0;
 
-// Linear sRGB of X, Y, Z, IEC 61966-2-1.
+// The matrix from X, Y, Z to linear sRGB: IEC 61966-2-1.
 static const double SCREEN[3][3] = {
     {3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415}, {0.0557, -0.2040, 1.0570}};
 
@@ -27,17 +27,17 @@ static void add_wave(int wave, double light, double colour[3])
 
 void air_shares(double sun, double view, double azimuth, double ozone, struct air_shares *shares)
 {
-    double level =
-        sqrt((1.0 - sun * sun) * (1.0 - view * view)) * azimuth; // part of their angle's cosine
+    // A part of the cosine of the angle between the sun and the direction.
+    double level = sqrt((1.0 - sun * sun) * (1.0 - view * view)) * azimuth;
     double length = air_way_out(AIR_EARTH, view);
     struct air_amount passed = {0.0, 0.0, 0.0};
     *shares = (struct air_shares){{0.0}, {0.0}, {0.0}};
-    for (int i = 0; i < VIEW_STEPS; i++) { // the middles of steps that grow
+    for (int i = 0; i < VIEW_STEPS; i++) { // the middles of steps that grow with the distance
         double from = (double)i / VIEW_STEPS, to = (i + 1.0) / VIEW_STEPS, q = 0.5 * (from + to);
         double distance = length * q * q, step = length * (to * to - from * from);
         double height = air_height_at(AIR_EARTH, view, distance), radius = AIR_EARTH + height;
         struct air_amount here = air_density(height), way = passed;
-        // The sun is higher by the angle through which the ray has gone around the Earth.
+        // The sine of the sun's height here, after the ray has gone some way around the Earth.
         double sine = (AIR_EARTH * sun + distance * (view * sun + level)) / radius;
         double share[AIR_WAVES] = {0.0}, again[AIR_WAVES];
         way.air += 0.5 * step * here.air;
@@ -100,7 +100,7 @@ static double beyond(double x)
 
 struct air_scale air_scale(double sun, double row)
 {
-    // The rows of a kind: red, green, blue.
+    // Each kind of light has three rows: red, green and blue.
     static const double fit[3][3][7] = {{{6.72, 0.159, 67.83, 4.369, 109.6, 1.222, 0.2395},
                                          {6.92, 0.206, 69.22, 3.697, 95.2, 1.282, 0.3577},
                                          {7.07, 0.243, 67.35, 1.829, 82.36, -1.065, 0.9554}},
@@ -123,8 +123,8 @@ struct air_scale air_scale(double sun, double row)
     return scale;
 }
 
-// The light of a point in a table. A table is drawn from its top row down, and each point of the
-// top storey is needed again in the storeys below, so it is stored.
+// The light of a point in a table. A table is drawn from its top row down, and the light of each
+// point of the top storey is needed again in the storeys below, so it is stored.
 static struct air_light light_once(double sun, double row, double azimuth, double ozone, int column)
 {
     static struct {
@@ -159,7 +159,7 @@ void air_table(double u, double v, double azimuth, double ozone, double value[4]
     for (int c = 0; c < 3; c++)
         part[c] *= all;
     double blue = part[2] / one[2];
-    int byte = paint_byte(blue); // the byte below; the fourth number contains the rest
+    int byte = paint_byte(blue); // rounded down; the fourth number contains the rest
     byte -= byte > 0 && paint_light(byte) > blue ? 1 : 0;
     value[0] = part[0] / one[0];
     value[1] = part[1] / one[1];
@@ -174,9 +174,9 @@ static double air_mass(double sine)
     return horizon / (sqrt(climb * climb + horizon) + climb);
 }
 
-// The disc is darker towards its rim, and redder: the share at the rim is 1 - DARK. Source: the
-// sun's limb by A. N. Cox (editor), 'Allen's astrophysical quantities' (2000), the linear term at
-// 680, 550 and 440 nm.
+// The disc is darker towards its rim, and redder: the rim has the share 1 - DARK of the light of
+// the centre. Source: A. N. Cox (editor), 'Allen's astrophysical quantities' (2000), limb
+// darkening, the linear term at 680, 550 and 440 nm.
 static const double DARK[3] = {0.47, 0.60, 0.74};
 
 void air_sun_table(double u, double v, double value[3])
@@ -187,7 +187,7 @@ void air_sun_table(double u, double v, double value[3])
     double rim = x < 1.0 ? sqrt(1.0 - x * x) : 0.0, left = 1.0 - x * x / (SUN_REACH * SUN_REACH);
     air_sunlight(sine, colour);
     for (int c = 0; c < 3; c++) {
-        // The mean over the disc is 1 - DARK / 3 times its centre, and must equal the sun's light.
+        // The mean over the disc, 1 - DARK / 3 times its centre, must equal the sun's light.
         double middle = colour[c] / (1.0 - DARK[c] / 3.0) / scale;
         value[c] = middle * (x <= 1.0 ? 1.0 - DARK[c] * (1.0 - rim) : mass / 38.0 * left * left);
     }

@@ -1,6 +1,6 @@
 // air.h - the light of a clear sky: sunlight that the air of a round Earth scatters, once or
-// several times. It draws nothing itself: the tables sky_sunward, sky_away and sun_halo are made
-// with it.
+// several times. It draws nothing: the programs of the tables sky_sunward, sky_away and sun_halo
+// use it.
 //
 // Light is in the unit of the course's skies: 1 is 4,000 cd/m^2. A lamp's light on a surface is
 // given as the light that a white matt surface perpendicular to its rays sends back. Colours are
@@ -19,7 +19,7 @@ extern const struct air_wave air_waves[AIR_WAVES];
 
 // The light that the air sends towards an eye at sea level. Multiply the first two kinds by
 // phaseAir and phaseDust of shaders/sky_table.glsl, which depend on the angle of scattering, and
-// add.
+// add all three.
 struct air_light {
     double air[3];  // scattered once, by molecules
     double dust[3]; // scattered once, by dust and droplets
@@ -27,11 +27,12 @@ struct air_light {
                     // phase functions
 };
 
-// The scattered light of a direction: an integral along it of the light scattered at each point,
-// dimmed on its path to that point and from there to the eye, summed over 16 wavelengths. The light
-// that has been scattered before it arrives at a point comes from a grid, which the first call
-// computes in a few seconds: four orders of scattering, by air, dust and a ground of albedo 0.15,
-// each assumed to arrive equally from all directions.
+// The scattered light of a direction: the integral, along the direction, of the light scattered at
+// each point, which is dimmed on its path to that point and from there to the eye; summed over 16
+// wavelengths. The light that has been scattered before it arrives at a point comes from a grid,
+// which takes a few seconds to compute, on the first call and whenever ozone changes: four orders
+// of scattering, by air, dust and a ground of albedo 0.15, each assumed to arrive equally from all
+// directions.
 //   sun      sine of the sun's height, in [-1, 1]; no light comes through the Earth
 //   view     sine of the direction's height, in [0, 1]
 //   azimuth  cosine of the horizontal angle between the two, in [-1, 1]: 1 towards the sun
@@ -45,38 +46,39 @@ struct air_shares {
 void air_shares(double sun, double view, double azimuth, double ozone, struct air_shares *shares);
 
 // The sun's light on a surface perpendicular to its rays, after the air, without refraction.
-//   sun      sine of its height; 0 where the Earth is in the way
+//   sun      sine of the sun's height; below 0 the result is 0
 void air_sunlight(double sun, double colour[3]);
 
 // ---- The tables ----
 
 // A table has a column for each height of the sun and three storeys of rows, from the bottom: light
 // scattered once by air, light scattered once by dust, and light scattered more than once. In each
-// storey there is a row for each height of the direction. shaders/sky_table.glsl reads it.
+// storey there is a row for each height of the direction. shaders/sky_table.glsl reads the tables.
 enum { AIR_COLUMNS = 288, AIR_ROWS = 160 };
 
 // The position of a sine in a table: x from -1 to 1, stretched around 0 by 1 / k.
 //   formula  the x with x (k + (1 - k) |x|) = sine
 double air_drawn_out(double sine, double k);
 
-// The inverse: the sine that lies at x.
+// The inverse of air_drawn_out: the sine that lies at x.
 double air_drawn_back(double x, double k);
 
-// k for the sun's height and for the direction's; the lowest sun of a table.
+// k for the sun's height and for the direction's; the sine of the lowest height of the sun in a
+// table.
 #define AIR_SUN_WIDTH  0.10
 #define AIR_VIEW_WIDTH 0.06
 #define AIR_LOWEST_SUN (-0.28)
 
 // The light of a low sun is redder than a screen's red: its blue is slightly negative, which a
-// colour of a picture cannot represent; and near 0 a screen distinguishes more blues than a byte.
-// So a fourth number, stored unchanged, contains the missing part, as a share of the red's scale;
-// the byte 128 adds nothing.
+// colour of a picture cannot represent; and near 0 a screen distinguishes more values of blue
+// than a byte has. So a fourth number, stored unchanged, contains the missing part, as a share of
+// the red's scale; the byte 128 adds nothing.
 #define AIR_FINE 0.06
 
 // The light that a table's number 1 represents: a smooth function of the sun's height and of the
 // row, the same as in shaders/sky_table.glsl.
-//   sun   sine of its height
-//   row   of the direction's height: air_drawn_out of its sine, 0 to 1
+//   sun   sine of the sun's height
+//   row   of the direction's height: air_drawn_out of the height's sine, 0 to 1
 struct air_scale {
     double air[3], dust[3], more[3];
 };
@@ -84,12 +86,12 @@ struct air_scale air_scale(double sun, double row);
 
 // A table's colour at a point, and the blue that it lacks, for paint_texture.
 //   azimuth  1 for the half of the sky that contains the sun, -1 for the other one
-//   ozone    1, or 0 for air without ozone, of whose light the table contains a quarter
+//   ozone    1, or 0 for air without ozone; the table then contains a quarter of the light
 void air_table(double u, double v, double azimuth, double ozone, double value[4]);
 
-// The table of the sun: a column for each distance from its centre, in radii of the sun, from 0 to
-// SUN_REACH, as the square of the column's position; a row for each height of the direction, from 0
-// to 1, stretched by SUN_ROW_WIDTH.
+// The table of the sun: a column for each distance from the sun's centre, in radii of the sun, from
+// 0 to SUN_REACH, which grows as the square of the column's index; a row for each sine of the
+// direction's height, from 0 to 1, stretched by SUN_ROW_WIDTH.
 enum { SUN_COLUMNS = 64, SUN_ROWS = 64 };
 #define SUN_REACH     12.0
 #define SUN_ROW_WIDTH 0.15

@@ -7,7 +7,7 @@
 
 // The light that a point of the air receives depends only on its height and on the sun's height
 // there: rotate the Earth and all its air about the axis to the sun, and nothing changes. So a grid
-// over these two contains all the light, for each wavelength.
+// over these two heights contains all the light, for each wavelength.
 enum { HEIGHTS = 32, SUNS = 96, ABOVE = 10, BELOW = 6, AROUND = 8, PATH_STEPS = 24, ORDERS = 4 };
 
 // The share of the light that the ground reflects.
@@ -25,8 +25,8 @@ static double grid_height(int row)
     return AIR_TOP * q * q;
 }
 
-// The sine of the sun's height at a point is measured from that of the horizon seen from there,
-// where the light changes fastest.
+// In the grid, the sine of the sun's height at a point is measured from the sine of the height of
+// the horizon seen from there, where the light changes fastest.
 static const double GRID_WIDTH = 0.08, GRID_LOWEST = -0.42, GRID_SPAN = 1.25;
 
 static double horizon(double height)
@@ -71,8 +71,8 @@ static void add_between(grid light, struct corner at, const double weight[AIR_WA
         sum[w] += weight[w] * (p * a[w] + q * b[w] + r * c[w] + s * d[w]);
 }
 
-// A ray from a point of the grid, cut into steps that are shortest where the ray is lowest. It is
-// the same for all heights of the sun.
+// A ray from a point of the grid, cut into steps that are shortest where the ray is lowest. The ray
+// is the same for all heights of the sun.
 struct path {
     double distance[2 * PATH_STEPS], height[2 * PATH_STEPS], dip[2 * PATH_STEPS];
     double air[2 * PATH_STEPS][AIR_WAVES];  // the share that a step's air scatters to the point
@@ -80,7 +80,7 @@ struct path {
     double ground[AIR_WAVES];               // the share that arrives from the end of the path
     double length;
     int steps;
-    bool lands; // it ends on the ground
+    bool lands; // true if the ray ends on the ground
 };
 
 static void path_along(double radius, double sine, double ozone, struct path *path)
@@ -91,7 +91,7 @@ static void path_along(double radius, double sine, double ozone, struct path *pa
     path->length =
         path->lands ? drop / (down + sqrt(down * down - drop)) : air_way_out(radius, sine);
     path->steps = 0;
-    double turn = path->lands ? path->length : (down > 0.0 ? down : 0.0); // to its lowest point
+    double turn = path->lands ? path->length : (down > 0.0 ? down : 0.0); // where the ray is lowest
     struct air_amount passed = {0.0, 0.0, 0.0};
     for (int i = 0; i < 2 * PATH_STEPS; i++) {
         double part = i < PATH_STEPS ? turn : path->length - turn;
@@ -149,7 +149,7 @@ static const double AROUND_COSINE[AROUND] = {
 //   first   true for sunlight, which comes from one direction; scattered light is assumed to come
 //           equally from all sides
 //   falls   the light of the previous order on horizontal ground, for the columns of row 0
-//   mean    the mean over all directions; falls_next is the light on the ground
+//   mean, falls_next  receive the mean over all directions and the light on the ground
 static void next_order(grid from, bool first, double falls[SUNS][AIR_WAVES], double ozone,
                        grid mean, double falls_next[SUNS][AIR_WAVES])
 {
@@ -208,7 +208,7 @@ static void next_order(grid from, bool first, double falls[SUNS][AIR_WAVES], dou
     }
 }
 
-// Fill in both grids.
+// Fill in both grids for an amount of ozone, unless they already contain it.
 static void scatter(double ozone)
 {
     static double known = -1.0;

@@ -4,9 +4,10 @@
 
 #include "air.h"
 
-// Add the light that a point receives after it has been scattered at least once: the mean over all
-// directions, times a weight for each wavelength, as shares of the sunlight above the air. It comes
-// from a grid that the first call for each ozone computes in a few seconds.
+// Add the light that has been scattered at least once before a point receives it: the mean over all
+// directions, times a weight for each wavelength, as shares of the sunlight above the air. This
+// light comes from a grid, which takes a few seconds to compute, on the first call and whenever
+// ozone changes.
 //   height  of the point, km
 //   sun     sine of the sun's height there
 //   ozone   amount of ozone; 1 is 300 Dobson units

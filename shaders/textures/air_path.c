@@ -4,17 +4,19 @@
 
 #include "paint.h"
 
-// Kilometres. The density of the air falls by a factor of e with every LOW_SCALE of height up to
-// BEND, and with every HIGH_SCALE above it, where it is colder: within 18 % of the standard
-// atmosphere up to 55 km. With a single scale of 8.4 there would be 3 times too much air at 50 km,
-// where the light of dusk comes from. Dust falls off eight times as fast, by a factor of e with
-// every 1.2 km; ozone is densest at 25 km, and there is none 15 km above and below that. The air
-// ends at AIR_TOP; a share of 2e-8 of it lies above. Sources: 'U.S. standard atmosphere' (1976); E.
-// Bruneton, F. Neyret, 'Precomputed atmospheric scattering', Computer Graphics Forum 27 (2008), for
-// the height of the dust and, in Bruneton's implementation of 2017, the profile of ozone.
+// Lengths are in kilometres. The density of the air falls by a factor of e with every LOW_SCALE of
+// height up to BEND, and with every HIGH_SCALE above it, where it is colder: within 18 % of the
+// standard atmosphere up to 55 km. With a single scale of 8.4 there would be 3 times too much air
+// at 50 km, where the light of dusk comes from. Dust falls off eight times as fast, by a factor of
+// e with every 1.2 km; ozone is densest at 25 km, and there is none farther than 15 km from that
+// height. The air ends at AIR_TOP; a share of 2e-8 of it lies above. Sources: 'U.S. standard
+// atmosphere' (1976); E. Bruneton, F. Neyret, 'Precomputed atmospheric scattering', Computer
+// Graphics Forum 27 (2008), for the height of the dust and, in Bruneton's implementation of 2017,
+// the profile of ozone.
 static const double LOW_SCALE = 9.6, HIGH_SCALE = 6.7, BEND = 9.0;
 
-// The thickness of the air overhead if all of it were as dense as at sea level, and of the dust.
+// The thickness that the air overhead would have if all of it were as dense as at sea level, and
+// that of the dust.
 static const double AIR_COLUMN = 8.464, DUST_COLUMN = 1.2;
 
 // Angular radius of the sun: 0.267 degrees.
@@ -24,7 +26,7 @@ enum { SUN_STEPS = 80 };
 
 // Sources: sun: ASTM G-173 (2003), above the air; ozone: V. Gorshelev and others, 'High spectral
 // resolution ozone absorption cross-sections', Atmospheric Measurement Techniques 7 (2014), at 233
-// K; both as the means over 20 nm around the wavelength. The eye: CIE 1931.
+// K; both as the means over 20 nm around the wavelength; eye: CIE 1931.
 const struct air_wave air_waves[AIR_WAVES] = {
     {1.437, 0.011, {0.0143, 0.0004, 0.0679}}, {1.710, 0.041, {0.1344, 0.0040, 0.6456}},
     {1.762, 0.121, {0.3483, 0.0230, 1.7471}}, {2.028, 0.299, {0.2908, 0.0600, 1.6692}},
@@ -39,8 +41,8 @@ const struct air_wave air_waves[AIR_WAVES] = {
 // unit is 2.687e20 molecules per square metre.
 static const double OZONE = 300.0 * 2.687e20 * 1e-25;
 
-// Depth of the dust overhead at 550 nm, on a clear day. It is proportional to 1 / wavelength, which
-// is an Angstrom exponent of 1.
+// Depth of the dust overhead at 550 nm, on a clear day. The depth is proportional to 1 /
+// wavelength, which means an Angstrom exponent of 1.
 static const double DUST = 0.03;
 
 static double wave_length(int wave) // micrometres
@@ -64,7 +66,7 @@ double air_dust_depth(int wave)
 // ---- Amounts along a path ----
 
 // e^-x for x >= 0: a table of 32 values for each factor of 1/e, and five terms of the series for
-// the rest. The relative error is at most 3e-10; 0 from 64 on.
+// the rest. The relative error is at most 3e-10. The result is 0 from x = 64 on.
 static double fade(double x)
 {
     enum { EACH = 32, COUNT = 64 * EACH };
@@ -91,7 +93,7 @@ struct air_amount air_density(double height)
                                .ozone = from < 15.0 ? (15.0 - from) * (1.0 / 225.0) : 0.0};
 }
 
-// The difference of two large roots, computed without loss of digits.
+// The height is the difference of two large lengths; it is computed without loss of digits.
 double air_height_at(double radius, double sine, double distance)
 {
     double more = distance * (2.0 * radius * sine + distance);
@@ -121,8 +123,9 @@ struct air_amount air_amount_up(double radius, double sine)
     return sum;
 }
 
-// The amounts along any ray that does not meet the Earth. One that goes down rises again beyond its
-// lowest point: its amount is twice the amount beyond that point, minus the amount behind the eye.
+// The amounts along any ray that does not meet the Earth. A ray that goes down rises again beyond
+// its lowest point: its amount is twice the amount beyond that point, minus the amount on its
+// continuation behind its start.
 static struct air_amount amount_along(double radius, double sine)
 {
     if (sine >= 0.0)
@@ -143,16 +146,17 @@ double air_share_through(int wave, struct air_amount amount, double ozone)
 
 // ---- The sun ----
 
-// The visible part of the sun is cut into horizontal strips, with Gauss's rule of three points. A
-// strip at x, from -1 to 1, has the share 3 (1 - x^2) / 4 of the light, as for a disc as dark at
-// its rim as a ball lit from the eye.
+// The visible part of the sun is cut into horizontal strips for Gauss's rule of three points; a sun
+// that is well above the horizon is one strip. A strip at x, from -1 to 1, has the density
+// 3 (1 - x^2) / 4 of the light, as on a disc that darkens towards its rim like a ball lit from the
+// eye.
 void air_add_sunlight(double radius, double sine, struct air_amount way, double ozone,
                       double share[AIR_WAVES])
 {
     static const double place[3] = {0.11270166537925831, 0.5, 0.88729833462074169};
     static const double weight[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
     double cosine = sqrt(1.0 - sine * sine), level = AIR_EARTH / radius;
-    double dip = sqrt(1.0 - level * level), over = sine * level + cosine * dip; // the horizon
+    double dip = sqrt(1.0 - level * level), over = sine * level + cosine * dip; // above the horizon
     double lowest = -over / SUN_RADIUS, from = lowest > -1.0 ? lowest : -1.0;
     int strips = from >= 1.0 ? 0 : over > 4.0 * SUN_RADIUS ? 1 : 3;
     for (int i = 0; i < strips; i++) {

@@ -1,5 +1,5 @@
-// air_path.h - the air of a round Earth: how much of it, of dust and of ozone a path meets, and how
-// much sunlight is left behind them. Distances and heights are in kilometres.
+// air_path.h - the air of a round Earth: how much air, dust and ozone a path meets, and how much
+// sunlight remains after it. Distances and heights are in kilometres.
 #ifndef AIR_PATH_H
 #define AIR_PATH_H
 
@@ -9,8 +9,8 @@
 #define AIR_EARTH 6371.0
 #define AIR_TOP   120.0
 
-// Of the light that dust removes, the share that it scatters; the mean cosine of the scattering
-// angle.
+// The share of the light removed by dust that the dust scatters, and the mean cosine of the
+// scattering angle.
 #define AIR_DUST_KEPT 0.92
 #define AIR_FORWARD   0.76
 
@@ -21,31 +21,32 @@ struct air_amount {
     double air, dust, ozone;
 };
 
-// The optical depth of the air overhead at a wavelength, an index of air_waves; and of the dust.
+// The optical depth of the air overhead, and of the dust overhead, at a wavelength, which is given
+// as an index of air_waves.
 double air_depth(int wave);
 double air_dust_depth(int wave);
 
 // The amounts in one kilometre of path at a height, in [0, AIR_TOP].
 struct air_amount air_density(double height);
 
-// For a ray that begins at this radius, from the Earth's centre, in a direction with this sine of
-// its height: the height above the sea at a distance along it, and its length to the top of the
-// air.
+// For a ray that begins at a distance of radius from the Earth's centre, in a direction whose
+// height has the given sine: the height above the sea at a distance along the ray, and the length
+// of the ray up to the top of the air.
 double air_height_at(double radius, double sine, double distance);
 double air_way_out(double radius, double sine);
 
 // The amounts along a ray that does not go down, sine >= 0, to the top of the air.
 struct air_amount air_amount_up(double radius, double sine);
 
-// The share of the light of a wavelength that passes these amounts: e^-depth, with a relative error
-// of at most 3e-10.
+// The share of the light of a wavelength that passes through these amounts: e^-depth, with a
+// relative error of at most 3e-10.
 //   ozone  amount of ozone; 1 is 300 Dobson units
 double air_share_through(int wave, struct air_amount amount, double ozone);
 
 // Add the sun's light at a point, as shares of the light above the air. The sun is a disc, and near
 // the edge of the Earth's shadow only a part of it is visible.
-//   radius  of the point, from the Earth's centre
-//   sine    of the height of the sun's centre
+//   radius  distance of the point from the Earth's centre
+//   sine    sine of the height of the sun's centre
 //   way     the amounts between the point and the eye
 void air_add_sunlight(double radius, double sine, struct air_amount way, double ozone,
                       double share[AIR_WAVES]);

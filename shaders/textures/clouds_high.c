@@ -1,5 +1,5 @@
-// clouds_high.c - a layer of cirrus seen from below: the share of the light that it blocks. Fibres
-// along u, bent by the wind, in fields with gaps between them.
+// clouds_high.c - a layer of cirrus seen from below: the share of the light that it blocks. Its
+// fibres run along u, bent by the wind, in fields with gaps between them.
 #include "paint.h"
 
 static void clouds_high(double u, double v, double value[3])

@@ -5,7 +5,8 @@
 #include <math.h>
 #include <stdbool.h>
 
-static const double earth = 6371.0, farthest = 70.0; // kilometres
+// Kilometres: the radius of the Earth, and the distance at which a march ends.
+static const double earth = 6371.0, farthest = 70.0;
 
 // ---- Noise, in tables that repeat ----
 
@@ -17,8 +18,8 @@ static struct {
     float ground[MAP * MAP];
 } table;
 
-// One minus the square of the distance to the nearest of random points, one in each cell: round
-// heaps.
+// Round heaps: one minus the square of the distance to the nearest of the random points, one in
+// each cell.
 static double heaps(const double p[3], int cells, uint32_t seed)
 {
     int corner[3];
@@ -62,7 +63,7 @@ static double mix(double a, double b, double share)
     return a + share * (b - a);
 }
 
-// The ground's noise; x and y in periods.
+// The noise along the ground, which decides where columns form; x and y are in periods.
 static double ground_at(double x, double y)
 {
     double i = floor(x * MAP), j = floor(y * MAP), u = x * MAP - i, v = y * MAP - j;
@@ -72,7 +73,7 @@ static double ground_at(double x, double y)
     return mix(mix(low[left], low[right], u), mix(high[left], high[right], u), v);
 }
 
-// Puffs with a mean of about 0.6; in periods.
+// The noise of the puffs, with a mean of about 0.6; x, y and z are in periods.
 static double puffs_at(double x, double y, double z)
 {
     double k = floor(z * SIDE), w = z * SIDE - k, slice[2];
@@ -90,10 +91,11 @@ static double puffs_at(double x, double y, double z)
 // ---- The field ----
 
 #define RAGGED 16.0 // kilometres: how uneven the rim of an anvil is
-#define FIBRES 60.0 // kilometres: period of its bays
+#define FIBRES 60.0 // kilometres: period of the rim's bays
 
-// How far inside a tower a point lies, as a share of the field's depth. The head is ice: thinner,
-// and smooth, with a soft rim.
+// How far inside a tower a point lies, as a share of the field's depth. The head consists of ice:
+// it is thinner and smoother, and has a soft rim.
+//   ice  raised to the share of ice at this height
 static double inside_tower(const struct cumulus *field, const struct tower *tower,
                            const double p[2], double altitude, double *ice)
 {
@@ -106,8 +108,8 @@ static double inside_tower(const struct cumulus *field, const struct tower *towe
     return fmin(aside, 0.5 * (tower->top - altitude)) / field->depth;
 }
 
-// The distance of a point from the line between the eye and a tower, as a multiple of the
-// tower's clearing.
+// The distance of a point from the line between the eye and a tower, as a multiple of the tower's
+// clearing; 1 if the tower has none.
 static double beside_the_way(const struct tower *tower, double x, double z)
 {
     if (tower->clearing <= 0.0)
@@ -136,8 +138,8 @@ static double ceiling_of(const struct cumulus *field)
     return highest;
 }
 
-// Optical depth of a kilometre at a point; x and z along the ground, y up from the eye. The small
-// puffs may be left out, because they are invisible inside a cloud.
+// The optical depth per kilometre at a point; x and z along the ground, y up from the eye. The
+// small puffs may be left out, because they are invisible inside a cloud.
 static double thickness_at(const struct cumulus *field, double x, double y, double z,
                            bool small_too)
 {
@@ -161,8 +163,8 @@ static double thickness_at(const struct cumulus *field, double x, double y, doub
     return field->thickness * (1.0 - 0.8 * ice) * edge * foot;
 }
 
-// The share of light that comes through a cloud after many scatterings: a model by eye. The second
-// part is the law of a thick layer without absorption, 1 / (1 + depth (1 - g) 3/4).
+// The share of light that comes through a cloud after many scatterings: a model fitted by eye. The
+// second term is the law of a thick layer without absorption, 1 / (1 + depth (1 - g) 3/4).
 static double diffused(double depth)
 {
     return 0.6 / (1.0 + 0.35 * depth + 0.05 * depth * depth) + 0.4 / (1.0 + 0.06 * depth);
@@ -228,7 +230,7 @@ static void along_ray(const struct cumulus *field, double u, double v, double va
         double fine = fmax(0.6 / field->thickness, 0.002 * t), stride = 5.0 * fine;
         const double p[3] = {t * level * north, t * climb, t * level * east};
         double x = fine * thickness_at(field, p[0], p[1], p[2], true);
-        if (x > 0.0 && !inside) { // a stride too far
+        if (x > 0.0 && !inside) { // the stride was too long
             inside = true;
             t -= 0.8 * stride;
             continue;
@@ -266,8 +268,9 @@ static void draw_texels(const struct cumulus *field)
         }
 }
 
-// How many texels of a row are together as wide in the sky as one of them is high: at the height h
-// = pi / 2 v^2, a texel is pi v / CUMULUS_HEIGHT high and 2 pi cos(h) / CUMULUS_WIDTH wide.
+// About how many texels of a row are together as wide in the sky as one of them is high, and up to
+// 1.8 times as many near the zenith. At the height h = pi / 2 v^2, a texel is pi v / CUMULUS_HEIGHT
+// high and 2 pi cos(h) / CUMULUS_WIDTH wide.
 static double texels_wide(int row)
 {
     double v = (row + 0.5) / CUMULUS_HEIGHT, level, climb;

@@ -4,7 +4,8 @@
 
 #include "mesh.h"
 
-// Points of the grid on each axis, from -1 to 1; and the largest distance that it stores.
+// The number of points of the grid on each axis, from -1 to 1, and the largest distance that it
+// stores.
 enum { ELEPHANT_SIDE = 64 };
 #define ELEPHANT_RANGE 0.5
 
@@ -20,8 +21,8 @@ struct triangles elephant_mesh(int steps);
 double elephant_place(int i);
 
 // The two bytes that store a distance: the high one and the low one.
-//   formula  the nearest whole number to 65535 (1 + distance / ELEPHANT_RANGE) / 2, of a distance
-//            clamped to the range
+//   formula  the nearest whole number to 65535 (1 + distance / ELEPHANT_RANGE) / 2, with the
+//            distance clamped to the range
 void elephant_encode(double distance, unsigned char byte[2]);
 
 #endif

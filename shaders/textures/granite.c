@@ -7,7 +7,7 @@
 enum { LARGE = 22, SMALL = 50, FLAKES = 84 }; // grains across a period
 
 struct mineral {
-    uint32_t scale[3]; // 0xRRGGBB, from its darkest to its lightest
+    uint32_t scale[3]; // 0xRRGGBB, from the darkest to the lightest
     double spread;     // how much the grains differ from each other
     double cleavage;   // how strongly its cleavage planes show
     double cloud;      // how uneven it is inside
@@ -17,7 +17,7 @@ static const struct mineral rose = {{0x79645f, 0xaa948e, 0xd1c1ba}, 0.55, 0.34, 
                             quartz = {{0x4b4a4c, 0x7f7e7f, 0xb4b2b1}, 0.55, 0.05, 0.95},
                             mica = {{0x0c0b0c, 0x232122, 0x53504f}, 0.40, 0.50, 0.50};
 
-// A random number of a grain.
+// A random number for a grain.
 static double chance(uint32_t name, int which)
 {
     return paint_random((int)(name >> 4), which, name);

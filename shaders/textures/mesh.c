@@ -46,10 +46,10 @@ static bool filled(const struct mesh_block *block, int count, const int cell[3])
     return false;
 }
 
-// Add the face of a block that faces along an axis.
+// Add the face of a block that looks along an axis, or against it if side is negative.
 static void add_face(struct mesh *mesh, const int cell[3], int axis, int side)
 {
-    // The other two axes turn from one to the other counter-clockwise as seen from outside.
+    // The other two axes, ordered so that the corners are counter-clockwise as seen from outside.
     int u = (axis + (side > 0 ? 1 : 2)) % 3, v = (axis + (side > 0 ? 2 : 1)) % 3;
     int *face = mesh->face[mesh->faces++];
     for (int i = 0; i < 4; i++) {
@@ -106,8 +106,8 @@ struct mesh mesh_of_blocks(const struct mesh_block *block, int count)
 
 // ---- Subdivision ----
 
-// The edges of a mesh: for each side of a face, from corner k to corner k + 1, the index of its
-// edge.
+// The edges of a mesh. of[i][k] is the index of the edge from corner k to corner k + 1 of face i;
+// end[e] has the vertices of edge e, the lower index first.
 struct edges {
     int (*of)[4];
     int (*end)[2];
@@ -148,8 +148,8 @@ static void add(double to[3], const double from[3], double share)
         to[a] += share * from[a];
 }
 
-// The points of edges and faces: after the vertices come those of the edges, then those of the
-// faces.
+// Set the points of edges and faces. The points of the edges follow the vertices; those of the
+// faces come last.
 static void place_points(struct mesh *fine, const struct mesh *mesh, const struct edges *edges)
 {
     double(*edge)[3] = fine->vertex + mesh->vertices, (*face)[3] = edge + edges->count;
@@ -164,7 +164,7 @@ static void place_points(struct mesh *fine, const struct mesh *mesh, const struc
     }
 }
 
-// Move the vertices.
+// Move the vertices, by the formula of mesh_subdivide.
 static void move_vertices(struct mesh *fine, const struct mesh *mesh, const struct edges *edges)
 {
     int *faces = mesh_memory((size_t)mesh->vertices, sizeof *faces);

@@ -63,7 +63,7 @@ double mesh_angle(const double a[3], const double b[3])
 
 // ---- The nearest point of a triangle ----
 
-// The point from + share (to - from) of an edge.
+// Set nearest to the point from + share (to - from) of an edge. Returns feature.
 static int on_edge(const double from[3], const double to[3], double share, double nearest[3],
                    int feature)
 {
@@ -89,7 +89,8 @@ int mesh_nearest(const double *const corner[3], const double p[3], double neares
         return on_edge(b, c, 0.0, nearest, MESH_VERTEX_0 + 1);
     if (ac_c >= 0.0 && ab_c <= ac_c)
         return on_edge(c, a, 0.0, nearest, MESH_VERTEX_0 + 2);
-    // Twice the areas of the triangles of the projected point, with signs.
+    // The areas of the triangles between the projected point and each side, with signs, all times
+    // the same factor.
     double area_c = ab_a * ac_b - ab_b * ac_a, area_b = ab_c * ac_a - ab_a * ac_c;
     double area_a = ab_b * ac_c - ab_c * ac_b;
     if (area_c <= 0.0 && ab_a >= 0.0 && ab_b <= 0.0)
@@ -197,7 +198,8 @@ static void fit_box(const struct mesh_tree *tree, struct mesh_box *box)
 }
 
 // Sort the triangles of a box into two parts: those whose middles lie below the plane that halves
-// the box's longest side, and the others. If all lie on one side, the list is halved.
+// the box's longest side, and the others. If all lie on one side, the list is halved. Returns the
+// number of triangles in the first part.
 static int split(const struct mesh_tree *tree, const struct mesh_box *box)
 {
     int axis = 0, *order = tree->order + box->first, count = 0;

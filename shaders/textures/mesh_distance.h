@@ -21,7 +21,7 @@ struct mesh_box {
 };
 
 struct mesh_tree {
-    const struct triangles *triangles; // the caller's, valid until mesh_tree_free
+    const struct triangles *triangles; // the caller's; must stay valid until mesh_tree_free
     double (*normal)[7][3]; // of each triangle: face, edges 01 12 20, vertices 0 1 2; owned
     int *order;             // owned
     struct mesh_box *box;   // box[0] contains all; owned
@@ -34,7 +34,7 @@ enum mesh_feature { MESH_FACE, MESH_EDGE_01, MESH_EDGE_12, MESH_EDGE_20, MESH_VE
 // The point of a triangle that is nearest to p.
 //   corner   its three corners, not on one line
 //   nearest  receives the point
-// Returns its part of the triangle; MESH_VERTEX_0 + i for corner i.
+// Returns the part of the triangle on which that point lies; MESH_VERTEX_0 + i for corner i.
 // Source: C. Ericson, 'Real-time collision detection' (2005), section 5.1.5.
 int mesh_nearest(const double *const corner[3], const double p[3], double nearest[3]);
 
@@ -43,11 +43,11 @@ int mesh_nearest(const double *const corner[3], const double p[3], double neares
 struct mesh_tree mesh_tree_build(const struct triangles *triangles);
 void mesh_tree_free(struct mesh_tree *tree);
 
-// The distance from p to the mesh: exact but for rounding, positive outside, negative inside.
+// The distance from p to the mesh, positive outside, negative inside; exact except for rounding.
 double mesh_distance(const struct mesh_tree *tree, const double p[3]);
 
-// The angle between two nonzero vectors, in [0, pi] radians, within 1e-12. It does not use the C
-// library's acos, which differs from machine to machine.
+// The angle between two nonzero vectors, in [0, pi] radians, within 1e-12. The function does not
+// use the C library's acos, which differs from machine to machine.
 double mesh_angle(const double a[3], const double b[3]);
 
 #endif

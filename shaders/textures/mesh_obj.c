@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LINE = 65536 }; // bytes of the longest line, with its end
+enum { LINE = 65536 }; // bytes of the buffer for a line
 
 // ---- Reading ----
 
-// Make room for one more than count items: the room doubles whenever count is a power of two.
+// Make room for one item more than count: the capacity doubles whenever count is a power of two.
 static void *room(void *items, int count, size_t size)
 {
     if ((count & (count - 1)) != 0)
@@ -59,7 +59,7 @@ static bool add_face(struct triangles *to, const char *c)
 // ---- Is it closed? ----
 
 struct edge {
-    int low, high; // its vertices
+    int low, high; // its vertices, low < high
     int up;        // 1 if the triangle has it from low to high, otherwise -1
 };
 
@@ -108,9 +108,9 @@ const char *mesh_read_obj(FILE *file, struct triangles *triangles)
         if (strlen(line) + 1 == sizeof line)
             return "a line is longer than 64 kB";
         if (strncmp(line, "v ", 2) == 0 && !add_vertex(triangles, line + 2))
-            return "a vertex needs three numbers, at most 1e9";
+            return "a vertex needs three numbers from -1e9 to 1e9";
         if (strncmp(line, "f ", 2) == 0 && !add_face(triangles, line + 2))
-            return "a face needs three indices of vertices that precede it";
+            return "a face needs at least three indices of vertices that precede it";
         if (triangles->count > 1000000)
             return "it has more than a million triangles";
     }
@@ -124,12 +124,14 @@ const char *mesh_read_obj(FILE *file, struct triangles *triangles)
                       triangles->vertex[corner[2]]))
             return "a triangle has no area";
     }
-    return is_closed(triangles) ? NULL : "it is not closed: an edge does not belong to two faces";
+    return is_closed(triangles) ? NULL
+                                : "it is not closed: an edge does not belong to two faces that "
+                                  "have it in opposite directions";
 }
 
 // ---- Fitting ----
 
-// Six times the volume, as the sum over all triangles of the determinant of their corners.
+// Six times the volume: the sum of the determinants of the corners of all triangles.
 static double volume(const struct triangles *mesh)
 {
     double sum = 0.0;
@@ -159,7 +161,7 @@ void mesh_fit(struct triangles *triangles, const double low[3], const double hig
     }
     for (int k = 0; k < triangles->vertices; k++) {
         double *p = triangles->vertex[k];
-        for (int i = 0; i < 3; i++) // along y, its lowest point is on the floor
+        for (int i = 0; i < 3; i++) // along y, the mesh's lowest point is on the floor
             p[i] = i == 1 ? low[1] + scale * (p[1] - least[1])
                           : 0.5 * (low[i] + high[i]) + scale * (p[i] - 0.5 * (least[i] + most[i]));
     }

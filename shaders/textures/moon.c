@@ -10,10 +10,10 @@
 #include "paint.h"
 
 // The picture shows the disc as seen from far away, north up. Outside the disc, the ground fades to
-// a mean, so that the edges agree.
+// a mean, so that opposite edges of the picture agree.
 #define RADIUS 0.47 // of the disc, in widths of the picture
 #define BRIGHT 0.40 // the albedo that is stored as 1
-#define STEEP  0.30 // the slope that is stored as 1; its negative as 0
+#define STEEP  0.30 // the slope that is stored as 1; -STEEP is stored as 0
 
 enum { SIZE = 512, SIDE = 2 * SIZE, CRATERS = 5200 };
 
@@ -56,7 +56,7 @@ static double layer(double x, double y, int k, uint32_t seed)
     return low + t * (high - low);
 }
 
-// Octaves of value noise with k cells per radius: -1 to 1, mean about 0.
+// Octaves of value noise with k cells per radius, from -1 to 1, with a mean of about 0.
 static double rough(struct place p, double k, int octaves, double gain, uint32_t seed)
 {
     double sum = 0.0, total = 0.0, strength = 1.0;
@@ -74,7 +74,7 @@ static double rough(struct place p, double k, int octaves, double gain, uint32_t
 
 // ---- The seas ----
 
-// Centre on the disc, radius and darkness of each basin that lava has filled.
+// The centre on the disc, the radius and the darkness of each basin that lava has filled.
 static const double seas[][4] = {
     {-0.231, 0.545, 0.315, 1.00},  {0.273, 0.469, 0.175, 1.00},   {0.500, 0.155, 0.215, 1.10},
     {0.400, 0.300, 0.120, 1.05},   {0.835, 0.285, 0.125, 1.10},   {0.775, -0.080, 0.150, 1.00},
@@ -91,6 +91,7 @@ static const double seas[][4] = {
 
 // How deep inside the seas a point lies, 0 to 1. Noise warps the shores, and there are islands near
 // them.
+//   dark  receives the mean darkness of the seas there
 static double sea_at(struct place p, double *dark)
 {
     double inside = 0.0, sum = 0.0, weight = 1e-9;
@@ -116,7 +117,7 @@ struct crater {
     struct place middle;
     double radius; // in radii of the moon
     double fresh;  // 0 old and worn down, 1 young and bright
-    double rays;   // length of its rays, in its own radii; 0 if it has none
+    double rays;   // length of its rays, in radii of the crater; 0 if it has none
     uint32_t name;
 };
 
@@ -136,8 +137,9 @@ static const struct {
              {0.060, -0.660, 0.0350, 0.05, 0.0},   {0.170, -0.660, 0.0330, 0.05, 0.0},
              {-0.620, -0.300, 0.0320, 0.10, 0.0},  {-0.440, -0.700, 0.0550, 0.05, 0.0}};
 
-// The share of a ray in which a point lies. A ray is a streak that leaves the crater in one
-// direction, so it is noise of that direction only, torn into patches.
+// How strong the rays of a crater are at a point, 0 to about 1. A ray is a streak that leaves the
+// crater in one direction, so it is noise that depends only on the direction, torn into patches.
+//   far  distance of the point from the crater's middle
 static double ray_at(const struct crater *crater, struct place p, double far)
 {
     double q = far / crater->radius;
@@ -158,7 +160,7 @@ static double ray_at(const struct crater *crater, struct place p, double far)
 static double bowl(double q, double radius)
 {
     double deep = 0.0009 + 0.050 * radius, flat = paint_step(0.016, 0.045, radius);
-    double floor_at = 0.30 + 0.32 * flat; // large craters have a level floor, and some a peak
+    double floor_at = 0.30 + 0.32 * flat; // large craters have a level floor and a peak
     double wall = paint_step(floor_at, 1.0, q) * 1.30 - 1.0;
     double peak = flat * 0.38 * paint_step(0.20, 0.0, q);
     double outside = 0.30 * paint_step(2.1, 1.0, q);
@@ -225,14 +227,13 @@ static double lot(int i, uint32_t what)
     return paint_random(i, 5, what);
 }
 
-// The random craters, each on top of those before it: the number of those larger than r falls as
-// 1 / r^2. Lava has covered most of those in the seas.
+// Dig the random craters, each on top of those before it: the number of craters larger than r falls
+// as 1 / r^2. Lava has covered most of those in the seas.
 static void by_lot(void)
 {
     for (int i = 0; i < CRATERS; i++) {
         double x = 2.0 * lot(i, 1) - 1.0, y = 2.0 * lot(i, 2) - 1.0;
-        // Points distributed uniformly over the ball: a disc of equal areas, projected onto its
-        // hemisphere.
+        // A uniform distribution on the hemisphere: points of a disc, mapped with equal areas.
         double square = x * x + y * y;
         if (square >= 1.0)
             continue;
@@ -265,7 +266,7 @@ static void draw(void)
     }
 }
 
-// The value of a map at a row and a column of the picture; far outside the disc, its mean.
+// The value of a map at a row and a column; outside the disc it fades to the mean.
 static double look_up(float map[SIDE][SIDE], double row, double column, double mean)
 {
     int i = (int)fmin(fmax(floor(row), 0.0), SIDE - 1.0);
@@ -275,7 +276,7 @@ static double look_up(float map[SIDE][SIDE], double row, double column, double m
     return mean + here * ((double)map[i][j] - mean);
 }
 
-// The mean of the four points of a pixel of the picture; dx, dy move them, in points.
+// The mean of the four points of a map in a pixel of the picture; dx and dy move them, in points.
 static double mean_of(float map[SIDE][SIDE], double u, double v, double dx, double dy, double mean)
 {
     double sum = 0.0;
@@ -285,7 +286,7 @@ static double mean_of(float map[SIDE][SIDE], double u, double v, double dx, doub
     return sum;
 }
 
-// A number in [0, 1] as the nearest byte: the light that is stored as that byte.
+// The light that sRGB stores as the byte nearest to 255 times a number, which is clamped to [0, 1].
 static double as_stored(double number)
 {
     double value[3];

@@ -3,7 +3,7 @@
 // There are random numbers at the corners of 16 x 16 x 16 cells, which repeat; between them, the
 // values follow a polynomial whose slope and curvature are 0 at the corners. A cell is 4 texels
 // wide, so that the linear interpolation between texels, which is all that a graphics card does,
-// stays close to it.
+// stays close to the polynomial.
 #include "paint.h"
 
 #include <math.h>

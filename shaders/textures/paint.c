@@ -10,8 +10,8 @@
 
 // ---- Chance ----
 
-// A bijection of the 32-bit numbers that spreads every bit over all (Wellons, "Prospecting for hash
-// functions").
+// A bijection of the 32-bit numbers that spreads every bit over all bits (Wellons, "Prospecting for
+// hash functions").
 static uint32_t mix_bits(uint32_t x)
 {
     x ^= x >> 16;
@@ -35,7 +35,7 @@ double paint_random(int i, int j, uint32_t seed)
 // ---- Real arithmetic ----
 
 // The rest is at most half of log 2 = 0.693 in size, where 14 terms are enough: 0.35^15 / 15! is
-// 1e-19. The two parts of log 2 add up to it; n times the first one is exact.
+// 1e-19. Two constants add up to log 2; n times the first one is exact.
 double paint_exp(double x)
 {
     if (x < -700.0)
@@ -103,7 +103,7 @@ static double outside(double x, int cell)
 
 struct paint_grain paint_grain(double u, double v, int columns, int rows, uint32_t seed)
 {
-    // The nearest cells first: most of the others need not be evaluated.
+    // The nearest cells come first, so that most of the others need not be evaluated.
     static const signed char around[25][2] = {
         {0, 0},  {1, 0},  {-1, 0},  {0, 1},  {0, -1}, {1, 1},  {-1, 1}, {1, -1},  {-1, -1},
         {2, 0},  {-2, 0}, {0, 2},   {0, -2}, {2, 1},  {2, -1}, {-2, 1}, {-2, -1}, {1, 2},
@@ -133,7 +133,7 @@ struct paint_grain paint_grain(double u, double v, int columns, int rows, uint32
 
 // ---- Colour ----
 
-// The fifth root of x in (0, 1], by Newton's method from above; a fixed number of steps.
+// The fifth root of x in (0, 1], by a fixed number of steps of Newton's method from above.
 static double fifth_root(double x)
 {
     double y = 1.0;
@@ -142,7 +142,7 @@ static double fifth_root(double x)
     return y;
 }
 
-// Linear light of an sRGB value in [0, 1]: x^2.4 is x^2 times the fifth root of x^2.
+// The linear light of an sRGB value in [0, 1]: x^2.4 is x^2 times the fifth root of x^2.
 static double decode(double value)
 {
     if (value <= 0.04045)
@@ -151,7 +151,7 @@ static double decode(double value)
     return x * x * fifth_root(x * x);
 }
 
-// Linear light of the bytes and of the limits halfway between them: entry k is the light of k / 2.
+// The linear light of the bytes and of the limits halfway between them: entry k is that of k / 2.
 static const double *light_of_halves(void)
 {
     static double light[511];
@@ -161,7 +161,7 @@ static const double *light_of_halves(void)
     return light;
 }
 
-// The number of limits below the light.
+// The byte is the number of limits that the light reaches.
 unsigned char paint_byte(double light)
 {
     const double *half = light_of_halves();
@@ -247,7 +247,7 @@ int paint_texture(int width, int height, int samples, enum paint_kind kind,
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
     png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
     unsigned char *row = malloc(4 * (size_t)width);
-    // libpng has already reported the error.
+    // libpng has already reported its errors.
     if (info == NULL || row == NULL || setjmp(png_jmpbuf(png)) != 0) {
         free(row);
         png_destroy_write_struct(&png, &info);

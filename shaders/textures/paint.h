@@ -34,26 +34,26 @@ int paint_texture(int width, int height, int samples, enum paint_kind kind,
 // 32 bits that depend on all bits of two whole numbers and of a seed.
 uint32_t paint_hash(int i, int j, uint32_t seed);
 
-// These bits as a number in [0, 1), a multiple of 2^-32.
+// The bits of paint_hash as a number in [0, 1), a multiple of 2^-32.
 double paint_random(int i, int j, uint32_t seed);
 
 // ---- Real arithmetic ----
 
 // The exponential of x, using only + - * / and floor, so it is the same everywhere: 2^n times a
-// series for the rest. The relative error is at most 1e-14 if |x| <= 700; 0 below that, and the
-// value of 700 above.
+// series for the rest. The relative error is at most 1e-14 if |x| <= 700. Below -700 the result is
+// 0, above 700 it is that of 700.
 double paint_exp(double x);
 
 // ---- Patterns ----
 
-// A step from 0 to 1 as x goes from a to b, with slope and curvature 0 at both ends.
+// A smooth step from 0 to 1 as x goes from a to b, with slope and curvature 0 at both ends.
 double paint_step(double a, double b, double x);
 
 // Value noise in [0, 1): random numbers at the corners of columns x rows cells per period, joined
 // by paint_step.
 double paint_noise(double u, double v, int columns, int rows, uint32_t seed);
 
-// A sum of octaves of that noise, each twice as fine and half as strong as the one before, divided
+// A sum of octaves of paint_noise, each twice as fine and half as strong as the one before, divided
 // by the sum of the strengths: in [0, 1).
 double paint_octaves(double u, double v, int columns, int rows, int octaves, uint32_t seed);
 
@@ -68,14 +68,14 @@ struct paint_grain paint_grain(double u, double v, int columns, int rows, uint32
 
 // ---- Colour ----
 
-// Linear light of a colour 0xRRGGBB, sRGB, as a painter picks it.
+// The linear light of an sRGB colour 0xRRGGBB, as a painter picks it.
 void paint_colour(uint32_t code, double value[3]);
 
 // The byte that stores a light as sRGB: the nearest to 255 times its sRGB value. Values outside [0,
 // 1] become 0 or 255.
 unsigned char paint_byte(double light);
 
-// The inverse: the light that a byte stores.
+// The inverse of paint_byte: the light that a byte stores.
 double paint_light(int byte);
 
 // The colour at x in [0, 1] of a scale: count colours 0xRRGGBB at equal steps, joined by straight

@@ -82,8 +82,9 @@ struct builder {
     bool failed;
 };
 
-// Keep only the parts whose distance from the centre of a box of radius r exceeds the smallest by
-// less than PART_REACH k + 2 r. Returns the scene's distance from the centre.
+// Keep only the parts whose distance from the centre of a box of radius r exceeds the smallest such
+// distance by less than PART_REACH times the blend plus 2 r. Returns the scene's distance from the
+// centre.
 static double prune(const struct builder *b, struct block *block, const double centre[3], double r)
 {
     double least = 1e9, value = 1e9;
@@ -112,7 +113,7 @@ static void finish(struct builder *b, struct block *block, double value, double 
     int kept = 0, nearest = 0;
     for (int i = 1; i < block->count; i++)
         nearest = block->distance[i] < block->distance[nearest] ? i : nearest;
-    bool solid = value < -r; // no march gets here: the nearest part is enough
+    bool solid = value < -r; // no march gets here, so the nearest part is enough
     for (int i = 0; i < block->count; i++)
         if (solid ? i == nearest : block->distance[i] - r < PART_MARGIN * grid->blend)
             block->id[kept++] = block->id[i];
@@ -133,7 +134,7 @@ static void finish(struct builder *b, struct block *block, double value, double 
     grid->most = kept > grid->most ? kept : grid->most;
 }
 
-// Select one eighth of a box of cells. Returns false if it has no cells.
+// Select one eighth of a box of cells. Returns false if the eighth has no cells.
 static bool eighth(const struct block *block, int number, struct block *part)
 {
     bool any = true;
@@ -177,7 +178,7 @@ static void divide(struct builder *b, const struct block *box, const uint16_t *i
     free(block.distance);
 }
 
-// The box around all parts and the material that their blends add.
+// Set the box around all parts and the material that their blends add, and its cells.
 static void surround(struct part_grid *grid, const struct part *part, int count, double fineness)
 {
     double high[3], longest = 0.0, root = 1.0;

@@ -1,5 +1,5 @@
-// parts.h - a scene of thousands of parts that blend where they meet, and a grid with a list for
-// each cell of the parts that matter there. Chapter 22 explains both.
+// parts.h - a scene of thousands of parts that blend where they meet, and a grid that lists the
+// parts that matter in each cell. Chapter 22 explains both.
 //
 // A part is a capsule: the points within its radius of a segment. Lengths are scene units.
 #ifndef PARTS_H
@@ -11,12 +11,14 @@
 
 #define PART_COORDINATE (1.0 / 2048.0)  // positions are multiples of this
 #define PART_HALF       (1.0 / 256.0)   // half segments are multiples of this
-#define PART_RADIUS     (1.0 / 65536.0) // radii are squares times this
-#define PART_REACH                                                                                 \
-    3.0 // times the blend: a part that is farther than the nearest by this much is left out
-#define PART_MARGIN 3.0 // times the blend: and so is a part that is this far from the whole cell
+#define PART_RADIUS     (1.0 / 65536.0) // radii are squares of whole numbers times this
 
-#define PART_FINENESS 6.5 // of the grid that the chapter uses, as for part_grid_build
+// A part is left out of a cell's list if it is farther than the nearest part by PART_REACH times
+// the blend, or if it is PART_MARGIN times the blend away from the whole cell.
+#define PART_REACH  3.0
+#define PART_MARGIN 3.0
+
+#define PART_FINENESS 6.5 // fineness of the chapter's grid, for part_grid_build
 
 // The corner of the scene from which positions are measured.
 extern const double part_low[3];
@@ -34,7 +36,7 @@ double part_distance(const struct part *part, const double p[3]);
 double part_union(double a, double b, double blend);
 
 // The distance from p to the smooth union of some parts, joined one after the other in their order.
-//   id, count  the parts; if id is NULL, the first count parts
+//   id, count  indices of the parts, and their number; if id is NULL, the first count parts
 //   blend      width of the blends, > 0
 double parts_distance(const struct part *part, const uint16_t *id, int count, double blend,
                       const double p[3]);
@@ -44,8 +46,9 @@ struct part part_stored(struct part part);
 
 // ---- The grid ----
 
-// The contents of a cell: the parts that matter in it, in their order, or, if there are none, a
-// lower bound of the distance from its centre to the scene.
+// The contents of a cell: the parts that matter in it, in their order, which are id[first] to
+// id[first + count - 1] of the grid; and a lower bound of the distance from its centre to the
+// scene, for a cell without parts.
 struct part_cell {
     int first, count;
     double bound;
@@ -64,7 +67,7 @@ struct part_grid {
 
 // Build the grid of lists for count parts.
 //   blend     width of the blends
-//   fineness  cells along the longest side, for each cube root of count
+//   fineness  cells along the longest side, divided by the cube root of count
 // Returns false, without a message, if there is not enough memory. Free with part_grid_free.
 bool part_grid_build(struct part_grid *grid, const struct part *part, int count, double blend,
                      double fineness);

@@ -1,4 +1,4 @@
-// plank.c - four oak boards that have been outside, with the grain along u and gaps between them.
+// plank.c - four weathered oak boards, with the grain along u and gaps between them.
 //
 // Each board is cut from its own log: its rings are lines of equal distance from the log's axis,
 // which is inclined to the cut, so that the board shows long pointed arches.
@@ -9,15 +9,15 @@
 enum { BOARDS = 4 };
 
 // The number of rings between the log's axis and a point of a board.
-//   x  along it from its end, 0 to 1
-//   y  across it, 0 to 1
+//   x  along the board from its end, 0 to 1
+//   y  across the board, 0 to 1
 static double rings_at(double x, double y, int board)
 {
     uint32_t seed = 100 * (uint32_t)(board + 1);
     double chance[4];
     for (int i = 0; i < 4; i++)
         chance[i] = paint_random(board, i, 14);
-    double place = chance[0] < 0.5 ? x : 1.0 - x; // towards the root
+    double place = chance[0] < 0.5 ? x : 1.0 - x; // grows towards the root
     double bend = paint_octaves(x, 0.25 * y, 3, 8, 2, seed) - 0.5;
     double deep = 0.05 + 0.22 * chance[1] + (0.16 + 0.20 * chance[2]) * place + 0.10 * bend;
     double from = y - 0.5 - 0.7 * (chance[3] - 0.5) + 0.06 * bend;

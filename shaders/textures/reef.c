@@ -1,5 +1,5 @@
-// reef.c - the parts of a reef and their lists, as a table of bytes. It is read by texelFetch, with
-// linear and clamp; chapters/reef.glsl explains the bytes.
+// reef.c - the parts of a reef and their lists, as a table of bytes. The table is read with
+// texelFetch, linear and clamp; chapters/reef.glsl explains the bytes.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

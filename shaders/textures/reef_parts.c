@@ -10,7 +10,7 @@ enum kind { STAG, BUSH, FAN, TABLE, BRAIN, TUBES, ANEMONE };
 
 enum { STONE = 14, FISH = 15, PINK = 0, RED, ORANGE, YELLOW, GREEN, CYAN, BLUE, VIOLET, CREAM };
 
-enum { TIPS = 4096, COLONY = 96 }; // parts of a colony, roughly
+enum { TIPS = 4096, COLONY = 96 }; // the most tips at a time; parts of a colony, roughly
 
 struct v3 {
     double x, y, z;
@@ -26,7 +26,7 @@ struct tip {
 struct reef {
     struct part *part;
     int count, limit;
-    int drawn; // random numbers
+    int drawn; // how many random numbers have been drawn
     struct tip tip[TIPS];
 };
 
@@ -56,7 +56,7 @@ static double drawn(struct reef *reef)
     return paint_random(reef->drawn++, 0, 22U);
 }
 
-// A direction, uniformly distributed.
+// A random direction, uniformly distributed.
 static struct v3 any_direction(struct reef *reef)
 {
     for (;;) {
@@ -67,7 +67,7 @@ static struct v3 any_direction(struct reef *reef)
     }
 }
 
-// This direction turned by the golden angle about the y axis, so that many turns cover the circle
+// A direction turned by the golden angle about the y axis, so that many turns cover the circle
 // evenly.
 static struct v3 golden(struct v3 d)
 {
@@ -125,7 +125,7 @@ static void fork(struct reef *reef, enum kind kind, struct v3 base, double size,
     }
 }
 
-// Balls on a ball.
+// A brain coral: many small balls on a large one.
 static void brain(struct reef *reef, struct v3 base, double size, int colour, int end)
 {
     int balls = end - reef->count - 1;
@@ -167,7 +167,8 @@ static void cluster(struct reef *reef, enum kind kind, struct v3 base, double si
 
 // ---- The whole ----
 
-// The bed of the reef: it rises to the left, to the right and far behind, around a gully.
+// The height of the reef's bed, which rises to the left, to the right and far behind, around a
+// gully.
 static double bed(double x, double z)
 {
     static const double hill[4][5] = {{-3.9, -1.2, 3.0, 6.0, 1.5}, // x, z, widths squared, height
@@ -183,7 +184,7 @@ static double bed(double x, double z)
     return height;
 }
 
-// The rock: stones as high as the bed.
+// Add the rock: stones as high as the bed.
 static void rock(struct reef *reef, int count)
 {
     struct v3 around = v3(0.6, 0.0, 0.8);
@@ -199,7 +200,7 @@ static void rock(struct reef *reef, int count)
     }
 }
 
-// The stones on which a coral grows.
+// Add the stones on which a coral grows.
 static void stones(struct reef *reef, struct v3 base, double size, int count)
 {
     struct v3 around = unit(any_direction(reef));

@@ -90,8 +90,8 @@ static double smooth_union(double a, double b)
     return fmin(a, b) - 0.25 * overlap * overlap / SCULPT_BLEND;
 }
 
-// The part of the grid that a piece may change: low is its first point, size the number of points.
-// Returns false if it is empty.
+// Find the part of the grid that a piece may change: low is its first point, size the number of
+// points on each axis. Returns false if there is none.
 static bool find_box(const double from[3], const double to[3], double radius, int low[3],
                      int size[3])
 {

@@ -10,7 +10,7 @@
 
 enum { SCULPT_BYTES = 4 };
 
-#define SCULPT_BLEND 0.05 // of the smooth union between the clay and a roll, scene units
+#define SCULPT_BLEND 0.05 // width of the smooth union of the clay and a roll, scene units
 #define SCULPT_REACH 0.93 // no clay is added farther than this from the centre on any axis
 
 // The stored distance at any point, as storedDistance of shaders/stored.glsl computes it.
@@ -18,7 +18,7 @@ double sculpt_value(const unsigned char *grid, const double p[3]);
 
 // March along a ray with the steps of storedStep.
 //   direction  of length 1
-//   hit        receives the first point where the stored distance is below 0.0001
+//   hit        receives the first point of the march where the stored distance is below 0.0001
 // Returns false if there is none within a distance of 20.
 bool sculpt_march(const unsigned char *grid, const double origin[3], const double direction[3],
                   double hit[3]);
@@ -27,14 +27,14 @@ bool sculpt_march(const unsigned char *grid, const double origin[3], const doubl
 // distances again.
 //   grid      the grid that is changed
 //   before    the same grid as it was before the first piece of a stroke. The pieces of a stroke
-//             are united with each other first and blended with this, so that their joints do not
-//             swell
+//             are first united with each other and then blended with this grid, so that their
+//             joints do not swell
 //   radius    of the roll; negative to take clay away
 //   slices    receives the first slice in z that may have changed, and the one after the last
 //   formula   min(F, U(F before, r)) where clay is added, max(F, -U(-F before, r)) where it is
 //             taken away, U the quadratic smooth union. A point whose distance to the roll is at
 //             least |F| + SCULPT_BLEND keeps its value: no surface nearer than |F| has changed.
-//             The values beside the new surface stay as they are blended, all others are swept
+//             The values beside the new surface stay as they are blended; all others are swept
 void sculpt_piece(unsigned char *grid, const unsigned char *before, const double from[3],
                   const double to[3], double radius, int slices[2]);
 

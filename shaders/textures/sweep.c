@@ -14,7 +14,7 @@ struct grid {
     int size[3];         // without the layer
     ptrdiff_t stride[3]; // from a point to its neighbour on each axis
     double cell;
-    bool keeps; // the values next to the surface too
+    bool keeps; // true if the values next to the surface are kept too
 };
 
 static double least_of(double a, double b)
@@ -32,8 +32,8 @@ static ptrdiff_t index_of(const struct grid *grid, int x, int y, int z)
     return (x + 1) + (y + 1) * grid->stride[1] + (z + 1) * grid->stride[2];
 }
 
-// The distance from a point to the crossing on one of its edges along an axis, the nearer one;
-// INFINITY if both neighbours have the same sign.
+// The distance from a point to the nearer of the surface's crossings with its two edges along an
+// axis; INFINITY if both neighbours have the point's sign.
 static double to_crossing(const struct grid *grid, ptrdiff_t i, int axis)
 {
     double here = grid->value[i], nearest = INFINITY;
@@ -45,8 +45,8 @@ static double to_crossing(const struct grid *grid, ptrdiff_t i, int axis)
     return nearest;
 }
 
-// The distance of a point next to the surface: that to the plane that cuts the axes at the
-// crossings, or the value.
+// Set the distance of a point that is next to the surface: the distance to the plane that cuts the
+// axes at the crossings or, if values are kept, the value. For any other point, set INFINITY.
 //   formula  1 / sqrt(1 / a^2 + 1 / b^2 + 1 / c^2)
 static void begin(struct grid *grid, ptrdiff_t i)
 {
@@ -62,8 +62,8 @@ static void begin(struct grid *grid, ptrdiff_t i)
     grid->distance[i] = grid->fixed[i] ? beside : INFINITY;
 }
 
-// The d > a, b, c with (d - a)^2 + (d - b)^2 + (d - c)^2 = cell^2, where terms with d below their
-// letter are left out.
+// The solution d of (d - a)^2 + (d - b)^2 + (d - c)^2 = cell^2 that is above a, b and c; a term
+// whose letter would be above d is left out.
 static double solve(double a, double b, double c, double cell)
 {
     double least = least_of(a, least_of(b, c)), most = most_of(a, most_of(b, c));
@@ -91,7 +91,7 @@ static void relax(struct grid *grid, ptrdiff_t i)
     grid->distance[i] = least_of(*here, solve(a, b, c, grid->cell));
 }
 
-// Visit all points, upwards or downwards on each axis according to a bit of the order.
+// Visit all points, upwards or downwards on each axis according to a bit of order.
 static void sweep(struct grid *grid, int order)
 {
     const int *size = grid->size;

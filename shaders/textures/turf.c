@@ -1,5 +1,5 @@
-// turf.c - a mountain meadow from above: tufts of grass, green where they are thick and
-// straw-coloured where they are thin, with moss and a few flowers between.
+// turf.c - a mountain meadow from above: tufts of grass, green in some parts and straw-coloured in
+// others, with a few flowers between them.
 #include "paint.h"
 
 enum { TUFTS = 20, FLOWERS = 70 }; // across a period

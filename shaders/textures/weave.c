@@ -4,9 +4,9 @@
 
 #include "paint.h"
 
-// One of the threads at a point.
-//   along   0 to 1 along it
-//   across  0 to 1 across all threads of its direction
+// The thread of one direction at a point.
+//   along   position along the thread, 0 to 1
+//   across  position across all threads of this direction, 0 to 1
 static struct weave thread_at(double along, double across, bool warp)
 {
     uint32_t seed = warp ? 1 : 2;

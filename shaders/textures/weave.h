@@ -7,11 +7,11 @@
 
 // The thread that lies uppermost at a point.
 struct weave {
-    double height; // 0 in the depth between the threads, 1 at the top of the highest
+    double height; // 0 in a gap between the threads, 1 at the top of the highest thread
     bool warp;     // true: one of the threads along v; false: one of those along u
-    int thread;    // its index among those, from 0
+    int thread;    // its index among the threads of its direction, from 0
     double along;  // from 0 to 1 along the thread
-    double across; // from -1 to 1 across it
+    double across; // from -1 to 1 across the thread
     bool covered;  // false in a gap between the threads
 };
 
