@@ -1,7 +1,8 @@
 // Chapter 00: a first scene. A sphere in the frame of a box, lit by a sun.
 //
-// The complete ray marcher is in one file, 00_first_scene.frag. Its own camera moves around the
-// scene, so the keys that move the eye have no effect here. Its page is docs/00_first_scene.md.
+// The complete ray marcher is in one file, 00_first_scene.frag. The camera of this shader moves
+// around the scene, so the keys that move the eye have no effect here. The page is
+// docs/00_first_scene.md.
 #include "../common/chapter.h"
 
 int main(int argc, char **argv)

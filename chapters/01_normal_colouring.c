@@ -1,6 +1,6 @@
 // Chapter 01: normal colouring. The distance field, the march, the normal and the camera.
 //
-// The colour of a point shows the direction in which its surface faces. Its page is
+// The colour of a point shows the direction in which its surface faces. The page is
 // docs/01_normal_colouring.md.
 #include "../common/chapter.h"
 

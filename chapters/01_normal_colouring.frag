@@ -1,7 +1,7 @@
 // 01 Normal colouring: the direction in which each surface faces, shown as a colour.
 //
-// A frame, a ball in it and an orbit of smaller balls, in front of a sky of one colour. There is no
-// light yet: x of the normal is red, y is green, z is blue.
+// The scene is a frame, a ball in it and an orbit of smaller balls, in front of a sky of one
+// colour. There is no light yet: x of the normal is shown as red, y as green and z as blue.
 
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
@@ -18,7 +18,7 @@ const float FAR = 40.0; // a ray that has travelled this far meets the sky
 
 const vec3 SKY = vec3(0.5, 0.7, 1.0);
 
-// Centres (xyz) and radii (w) of the balls around the frame: a tilted orbit.
+// Centres (xyz) and radii (w) of the balls around the frame, on a tilted orbit.
 const vec4 ORBIT[8] = vec4[8](
     vec4( 1.64, -0.15, -0.23, 0.16), vec4( 1.33, -0.38,  1.00, 0.20),
     vec4( 0.23, -0.38,  1.64, 0.23), vec4(-1.00, -0.17,  1.33, 0.27),

@@ -1,6 +1,6 @@
 // Chapter 02: lighting. Lambert's law, several lamps, colour as a product, and sRGB encoding.
 //
-// Its page is docs/02_lighting.md.
+// The page is docs/02_lighting.md.
 #include "../common/chapter.h"
 
 int main(int argc, char **argv)

@@ -1,7 +1,7 @@
 // 02 Lighting: a lamp, a matt surface, and the light that comes back.
 //
-// A frame on a stage, balls and a block, under a warm, circling lamp and a cold, fixed one. There
-// are no shadows yet: the lamps shine through everything.
+// The scene is a stage with a frame, balls and a block, under a warm, circling lamp and a cold,
+// fixed one. There are no shadows yet: the lamps shine through everything.
 
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
@@ -23,7 +23,7 @@ uniform float hitThreshold; // 0.0005 in [0.00001, 0.2] step *2, scene units: a 
 uniform float normalStep;   // 0.001 in [0.0000001, 0.5] step *2, scene units: step of the differences that give the normal
 
 const float FAR = 40.0;                       // a ray that has travelled this far meets the sky
-const float REFERENCE = 6.0;                  // where a lamp's light equals its colour
+const float REFERENCE = 6.0;                  // distance at which a lamp's light equals its colour, scene units
 const vec3  COLD_LAMP = vec3(-5.0, 3.0, 4.0); // position of the second lamp
 
 Ray pixelRay(vec2 screen)
@@ -49,7 +49,7 @@ vec3 lampPosition()
 }
 
 // The light that one lamp adds: Lambert's law times the lamp's colour, weakened with distance.
-//   toLamp  from the surface to the lamp
+//   toLamp  vector from the surface to the lamp, scene units
 vec3 lampLight(vec3 normal, vec3 toLamp, vec3 colour)
 {
     float distance = length(toLamp);

@@ -1,6 +1,6 @@
 // Chapter 03: shadows, found with a second march, from the surface to the lamp.
 //
-// Its page is docs/03_shadows.md.
+// The page is docs/03_shadows.md.
 #include "../common/chapter.h"
 
 int main(int argc, char **argv)

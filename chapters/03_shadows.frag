@@ -20,14 +20,14 @@ uniform float hitThreshold; // 0.0005 in [0.00001, 0.2] step *2, scene units: a 
 uniform float normalStep;   // 0.001 in [0.0000001, 0.5] step *2, scene units: step of the differences that give the normal
 
 const float FAR = 40.0;                           // a ray that has travelled this far meets the sky
-const vec3  LOW = vec3(-2.65, -0.25, -2.25);      // corners of a box that contains the scene
+const vec3  LOW = vec3(-2.65, -0.25, -2.25);      // opposite corners of a box that contains the scene
 const vec3  HIGH = vec3(2.65, 2.45, 2.25);
 
 // The light of chapter 02, in linear RGB. Its parameters are constants here.
 const vec3  LAMP_COLOUR = vec3(1.0, 0.72, 0.45);  // of the circling lamp
 const vec3  COLD_COLOUR = vec3(0.06, 0.14, 0.3);  // of the second lamp, which casts no shadow
-const vec3  COLD_LAMP = vec3(-5.0, 3.0, 4.0);     // its position
-const float REFERENCE = 6.0;                      // where a lamp's light equals its colour, scene units
+const vec3  COLD_LAMP = vec3(-5.0, 3.0, 4.0);     // position of the second lamp
+const float REFERENCE = 6.0;                      // distance at which a lamp's light equals its colour, scene units
 const vec3  AMBIENT = vec3(0.012, 0.02, 0.035);   // light that comes from all directions
 const vec3  OBJECT_COLOUR = vec3(0.95, 0.9, 0.85);
 
@@ -47,7 +47,7 @@ float sceneDistance(vec3 p)
     return min(min(min(stage, frame), min(inside, above)), min(resting, block));
 }
 
-// The camera stops at this distance from the scene.
+// The room of the camera, which stops 0.15 scene units in front of the scene.
 float cameraRoom(vec3 p)
 {
     return sceneDistance(p) - 0.15;
@@ -60,21 +60,21 @@ vec3 lampPosition()
 }
 
 // The light that one lamp adds: Lambert's law times the lamp's colour, weakened with distance.
-//   toLamp  from the surface to the lamp
+//   toLamp  vector from the surface to the lamp, scene units
 vec3 lampLight(vec3 normal, vec3 toLamp, vec3 colour)
 {
     float distance = length(toLamp);
     return colour * fallOff(distance, REFERENCE) * lambert(normal, toLamp / distance);
 }
 
-// The interval of a ray in which it can hit the scene.
+// The interval in which a ray can hit the scene.
 vec2 sceneInterval(Ray ray)
 {
     return clipped ? boxInterval(ray, LOW, HIGH) : vec2(0.0, FAR);
 }
 
-// 1 if the light arrives, else 0. The march is made only where the surface faces the light, and goes
-// no farther than the lamp.
+// 0 if the scene blocks the light, otherwise 1. The shadow ray is marched only if the surface faces
+// the light, and no farther than the lamp.
 float visibility(vec3 p, vec3 normal, vec3 toLight, float distance)
 {
     Ray ray = shadowRay(p, normal, toLight, shadowOffset * hitThreshold);

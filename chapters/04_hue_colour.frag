@@ -31,9 +31,9 @@ const vec2  MIRROR_30 = vec2(0.5, -0.8660254);     // normal of the mirror at 30
 const vec2  ALONG_30 = vec2(0.8660254, 0.5);       // direction of the die at 30 degrees
 
 const vec3  SUN = vec3(-0.72, 0.6, 0.3487);        // direction of the sun, length 1
-const vec3  SUN_LIGHT = vec3(1.25, 1.05, 0.82);    // its light, linear RGB
+const vec3  SUN_LIGHT = vec3(1.25, 1.05, 0.82);    // light of the sun, linear RGB
 const vec3  SKY_LIGHT = vec3(0.28, 0.335, 0.41);   // light from the sky on an upward face
-const vec3  GLOW = vec3(-0.5196, 0.1, -0.8485);    // direction of the brightest backdrop, length 1
+const vec3  GLOW = vec3(-0.5196, 0.1, -0.8485);    // direction in which the backdrop is brightest, length 1
 const vec3  STAGE_COLOUR = vec3(0.28, 0.27, 0.265);
 const float BLOCK_HUE = 255.0;                     // hues of the solids in the middle, degrees
 const float BALL_HUE = 12.0;
@@ -43,8 +43,9 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// Fold the plane at a mirror through the origin: replace a point behind the mirror by its mirror
-// image, and leave a point in front of it, where dot(q, normal) is positive, unchanged.
+// Fold the plane along a mirror through the origin: replace a point behind the mirror with its
+// mirror image, and leave a point in front of the mirror, where dot(q, normal) is positive,
+// unchanged.
 vec2 folded(vec2 q, vec2 normal)
 {
     return q - 2.0 * min(dot(q, normal), 0.0) * normal;
@@ -58,8 +59,8 @@ float dieDistance(vec3 q)
     return opIntersection(cube, sdSphere(q, 0.45));
 }
 
-// Six balls alternating with six dice, made by folding: mirrors every 30 degrees send every point
-// to one wedge. There is a ball on one of its mirrors and a die on the other. The point is given in
+// Six balls alternate with six dice. Mirrors every 30 degrees fold every point into one wedge, with
+// a ball on one of its two mirrors and a die on the other. fromBall and fromDie are the point in
 // the coordinates of each: outwards from the axis of the wheel, upwards, and sideways.
 float wheelDistance(vec3 p)
 {
@@ -77,7 +78,7 @@ float stageDistance(vec3 p)
     return opSubtraction(disc, length(q - vec2(RING, 0.5)) - 0.6);
 }
 
-// The solids in the middle: a block, and a ball that rises and sinks in ten seconds.
+// The solids in the middle: a block, and a ball that rises and sinks once every ten seconds.
 float blockDistance(vec3 p)
 {
     return sdBox(p - vec3(0.0, 0.24, 0.0), vec3(0.9, 0.28, 0.9));
@@ -105,14 +106,14 @@ float sceneDistance(vec3 p)
     return opUnion(opUnion(stageDistance(p), wheelDistance(p)), middleDistance(p));
 }
 
-// How much of the colour at p is the ball's: 0 none, 1 all. step(x, y) is 1 where x <= y, else 0.
+// The share of the ball in the colour at p, from 0 to 1. step(x, y) is 1 if x <= y, otherwise 0.
 float ballShare(vec3 p)
 {
     float a = blockDistance(p), b = ballDistance(p);
     if (operation == 0)
         return step(b, a); // the smaller distance forms the surface
     if (operation == 1)
-        return step(a, b); // the larger one does
+        return step(a, b); // the larger distance does
     if (operation == 2)
         return step(a, -b); // the larger of a and -b does
     return smoothUnionShare(a, b, blend);
@@ -125,8 +126,8 @@ vec3 middleColour(vec3 p)
     return mix(block, ball, ballShare(p));
 }
 
-// The colour of the wheel at p: each hue extends 15 degrees to both sides of its solid. On the axis,
-// where atan is undefined, there is no wheel, and the colour is not used.
+// The colour of the wheel at p: each hue extends 15 degrees on either side of its solid. On the
+// axis, where atan is undefined, there is no wheel, and the colour is not used.
 vec3 wheelColour(vec3 p)
 {
     float angle = degrees(atan(p.z, p.x));

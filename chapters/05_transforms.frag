@@ -30,7 +30,7 @@ const vec3  WAVE_Z = vec3(1.20, 1.70, 1.60);
 const vec3  WAVE_SPEED = vec3(3.55, 4.46, 4.94);
 const float STEEPEST = 0.210;                     // sum of amplitude times |k|, which bounds the slope
 const float RING = 0.66;                          // radius of the ring, scene units
-const float RING_REACH = 1.5;                     // radius of a ball around the ring, in its radii
+const float RING_REACH = 1.5;                     // radius of the ball in which the ring is evaluated, in ring radii
 
 const vec3  SUN_COLOUR = vec3(2.6, 1.6, 0.7);    // linear RGB
 
@@ -147,10 +147,10 @@ vec3 colourAt(vec3 p)
 {
     vec3 ring = opTwist(seenFrom(now.ring, p) / RING, twist);
     vec3 ball = seenFrom(now.ball, p), crate = seenFrom(now.crate, p);
-    float cosine2 = ring.x * ring.x / dot(ring.xy, ring.xy); // of the angle around the ring, squared
+    float cosine2 = ring.x * ring.x / dot(ring.xy, ring.xy); // squared cosine of the angle around the ring
     vec3 red = mix(vec3(0.75, 0.02, 0.01), vec3(0.8), smoothstep(0.34, 0.36, abs(cosine2 - 0.5)));
     vec3 yellow = mix(vec3(0.03), vec3(0.95, 0.55, 0.02), smoothstep(0.06, 0.07, abs(ball.y - 0.1)));
-    vec3 rim = smoothstep(0.34, 0.35, abs(crate)); // near two faces at once: the crate's edges
+    vec3 rim = smoothstep(0.34, 0.35, abs(crate)); // 1 for each axis along which a face is near: at an edge, for two
     vec3 wood = mix(vec3(0.30, 0.14, 0.05), vec3(0.42, 0.24, 0.10), step(1.5, rim.x + rim.y + rim.z));
     vec3 colour = dot(ball, ball) < 0.42 ? yellow : red;
     return dot(crate, crate) < 0.7 ? wood : colour;
@@ -193,8 +193,8 @@ vec3 deepLight(float height)
     return vec3(0.004, 0.040, 0.060) + vec3(0.0, 0.07, 0.06) * max(height / 0.12, 0.0);
 }
 
-// The normal of the sea: the waves of the march, and ripples that are too small for it. They become
-// flatter with the distance t, because waves smaller than a pixel would sparkle.
+// The normal of the sea: the waves of the march, and ripples that are too small for the march. Both
+// become flatter as the distance t grows, because waves smaller than a pixel would sparkle.
 vec3 waterNormal(vec2 xz, float t)
 {
     vec4 bent = 1.5 * sin(vec4(1.3, 2.1, -1.7, 0.9) * xz.x + vec4(-1.9, 1.1, 2.3, 2.7) * xz.y);
@@ -207,7 +207,7 @@ vec3 waterNormal(vec2 xz, float t)
 
 // ---- The picture ----
 
-// A hit that is not on the sea is on an object.
+// True for a hit on an object, which is any hit that is not on the sea.
 bool atThing(Hit hit, vec3 p)
 {
     return hit.found && stepScale * seaDistance(p) >= hitThreshold;

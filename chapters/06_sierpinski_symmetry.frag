@@ -1,4 +1,4 @@
-// 06 Symmetry: a pyramid of 4^m tetrahedra with 3 m folds, and a march with the footprint of a
+// 06 Symmetry: a pyramid of 4^m tetrahedra made with 3 m folds, and a march with the footprint of a
 // pixel.
 
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
@@ -22,19 +22,19 @@ uniform int   maxSteps;     // 160 in [1, 1024]: steps after which a ray is aban
 uniform float hitThreshold; // 0.0002 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit, at the eye
 uniform float normalStep;   // 0.0005 in [0.0000001, 0.5] step *2, scene units: step of the differences that give the normal, at the eye
 
-const float SIZE = 1.1;                            // of the pyramid, whose height is 4 SIZE / sqrt(3)
-const vec3  PYRAMID = vec3(-0.7, 0.63508530, -0.5); // its centre, SIZE / sqrt(3) above the ground
-const vec3  SLAB = vec3(0.0, -0.1, 0.0);           // centre and half size of the slab it stands on
+const float SIZE = 1.1;                            // size of the pyramid, whose height is 4 SIZE / sqrt(3)
+const vec3  PYRAMID = vec3(-0.7, 0.63508530, -0.5); // centre of the pyramid, SIZE / sqrt(3) above the ground
+const vec3  SLAB = vec3(0.0, -0.1, 0.0);           // centre and half size of the slab under the pyramid
 const vec3  SLAB_HALF = vec3(4.2, 0.1, 3.2);
-const float MARGIN = 0.02;                         // margin of the bounds around both
+const float MARGIN = 0.02;                         // margin of the bounds around the pyramid and the slab
 
 // The columns are the world's axes in the coordinates of the pyramid, whose corner (1, 1, 1) points
-// up. This is an isometry, as in chapter 05.
+// up. The matrix is an isometry, as in chapter 05.
 const mat3 TO_PYRAMID = mat3( 0.70710678, -0.70710678, 0.0,
                               0.57735027,  0.57735027, 0.57735027,
                              -0.40824829, -0.40824829, 0.81649658);
 
-const vec3  SUN_COLOUR = vec3(1.22, 0.65, 0.20);    // its light on a surface that faces it
+const vec3  SUN_COLOUR = vec3(1.22, 0.65, 0.20);    // light of the sun on a surface that faces it
 const vec3  SKY_COLOUR = vec3(0.12, 0.20, 0.38);   // light from above, linear RGB
 const vec3  EARTH_COLOUR = vec3(0.03, 0.03, 0.04); // light from below
 const vec3  SLAB_COLOUR = vec3(0.12, 0.13, 0.16);
@@ -76,10 +76,10 @@ vec2 sceneInterval(Ray ray)
     return intervalUnion(pyramid, slab);
 }
 
-// Two numbers that the first four levels of folds give for a point.
+// Two values that the first four levels of folds give for a point.
 struct Trail {
-    float address; // a binary number below 1: a digit is 1 if its level moves the point
-    float open;    // from 1 down: each level reduces it with the depth of the point
+    float address; // a binary fraction: the digit of a level is 1 if its folds move the point
+    float open;    // at most 1: each level reduces it, more for a point deeper in its tetrahedron
 };
 
 Trail foldTrail(vec3 p)
@@ -98,8 +98,8 @@ Trail foldTrail(vec3 p)
     return trail;
 }
 
-// The paving: squares with joints that darken a pixel by the share of its footprint that they
-// cover.
+// The paving: squares with joints that darken a pixel in proportion to the share of its footprint
+// that they cover.
 //   radius  of the footprint at p, perpendicular to the view; a grazing view stretches it on the
 //           ground
 vec3 slabColour(vec3 p, vec3 direction, float radius)

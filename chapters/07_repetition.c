@@ -1,5 +1,5 @@
-// Chapter 07: repetition. There is one lantern; folding each coordinate into its cell makes it a
-// field without end.
+// Chapter 07: repetition. There is only one lantern; folding each coordinate into a cell turns the
+// lantern into an endless field.
 //
 // The page is docs/07_repetition.md.
 #include "../common/chapter.h"

@@ -17,14 +17,14 @@ uniform int   maxSteps;     // 128 in [1, 1024]: steps after which a ray is aban
 uniform float hitThreshold; // 0.001 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit, at the eye
 
 const float FAR = 38.0;                          // beyond this distance only mist is visible
-const float FADE = 12.0;                         // over the last 12 units, the light fades
+const float FADE = 12.0;                         // over the last 12 units before FAR, the light fades
 const float LOW = 0.15;                          // the lanterns hang between these two heights
 const float HIGH = 2.95;
 const vec3  BODY = vec3(0.5, 0.7, 0.5);          // half size of a frame of size 1
-const float BALL = 0.34;                         // radius of the ball in it
+const float BALL = 0.34;                         // radius of the ball in a frame of size 1
 const float BAR = 0.05;                          // radius of a frame's bars
-const float SIZE = 1.15;                         // the largest size
-const float REFERENCE = 2.0;                     // where the fall-off of a lantern of size 1 is 1
+const float SIZE = 1.15;                         // size of the largest lantern
+const float REFERENCE = 2.0;                     // distance at which the fall-off of a lantern of size 1 is 1
 const vec3  METAL = vec3(0.50, 0.44, 0.42);      // colours, linear RGB
 const vec3  GROUND = vec3(0.13, 0.14, 0.19);
 const vec3  ZENITH = vec3(0.012, 0.020, 0.075);
@@ -66,7 +66,7 @@ float frameDistance(Lantern lantern)
 }
 
 // The normal of a lantern, length 1: it points away from the ball's centre, or from the nearest
-// edge. This evaluates only the copy that was hit, not the whole scene six times.
+// edge. The function evaluates only the copy that was hit, not the whole scene six times.
 vec3 lanternNormal(Lantern lantern, bool ball)
 {
     vec3 corner = abs(lantern.place) - lantern.size * BODY;
@@ -92,7 +92,7 @@ float sceneDistance(vec3 p)
     return capped ? min(own, others) : own;
 }
 
-// The camera stops above the ground. The lanterns drift past it, so it passes through them.
+// The camera stops above the ground. It passes through the lanterns, because they drift past it.
 float cameraRoom(vec3 p)
 {
     return p.y - 0.1;
@@ -121,7 +121,7 @@ vec3 receivedLight(Lantern lantern, vec3 normal)
     return share * colour + dusk + 0.25 * lambert(normal, SUNSET) * GLOW;
 }
 
-// The light of the glowing ball, paler where the surface faces the eye.
+// The light of the glowing ball, brighter and paler where the surface faces the eye.
 vec3 ballLight(Lantern lantern, float facing)
 {
     return mix(0.8, 1.9, facing) * hsvToRGB(lantern.hue, mix(0.9, 0.4, facing * facing), 1.0);

@@ -20,13 +20,13 @@ const float SHADOW_OFFSET = 0.02;         // height above the surface at which a
 const vec2  MIDDLE = vec2(2.5, -1.0); // x and z of the plinth's centre
 const float PLINTH = 3.75;            // half its side
 const vec2  LOOP = vec2(2.5, 2.0);    // half sides of the rectangle along which the channel runs
-const float WALL = 0.5;               // half the width of channel and tower
+const float WALL = 0.5;               // half the width of the channel and of the tower
 const float WATER = 0.32;             // half the width of the water
 const float TOP = 0.5;                // height of the channel's walls above the plinth
 const float CLIMB = 3.0;              // height of the tower above these walls
-const float DEEP = 0.1;               // depth of the water below the top of its walls
+const float DEEP = 0.1;               // depth of the water's surface below the top of the walls
 const float FRAME = 0.55;             // half the side of a frame
-const float BEAM = 0.15;              // thickness of its beams
+const float BEAM = 0.15;              // thickness of a frame's beams
 const float CORNER = 3.15;            // the frames are at (-CORNER, CORNER) and (CORNER, -CORNER)
 
 const vec3 TO_SUN = vec3(-0.6149, 0.7549, 0.228); // length 1
@@ -38,15 +38,15 @@ Ray pixelRay(vec2 screen)
     return projectionRay(screen, framingDistance);
 }
 
-// A lower bound of the distance to the channel's centre line, a rectangle. As everywhere in this
-// scene, it is the larger coordinate instead of the length, so it needs no square root.
+// A lower bound of the distance to the channel's centre line, a rectangle. Like all distances in
+// this scene, it takes the larger coordinate instead of the length, so it needs no square root.
 float besideLoop(vec3 p)
 {
     vec2 q = abs(p.xz - MIDDLE) - LOOP;
     return abs(max(q.x, q.y));
 }
 
-// Walls and water on two and a half sides of the rectangle.
+// The walls and the water of the channel, on two and a half sides of the rectangle.
 float channelDistance(vec3 p)
 {
     float beside = besideLoop(p);
@@ -62,8 +62,9 @@ float towerDistance(vec3 p)
     return max(max(abs(p.x), abs(p.z)) - WALL, max(p.y - TOP - CLIMB, -bed));
 }
 
-// Two equal frames: min and max fold one onto the other, in the plinth's diagonal. A frame is the
-// part of a cube where two of the three coordinates, and so the middle one too, are near a face.
+// Two equal frames: min and max fold one onto the other, across the plinth's diagonal. A frame is
+// the part of a cube where at least two of the three coordinates, and therefore the middle one, are
+// near a face.
 float frameDistance(vec3 p)
 {
     vec2 q = p.xz - MIDDLE;
@@ -88,7 +89,7 @@ float foam(float along, float aside)
     return smoothstep(0.75, 0.9, line) * (1.0 - smoothstep(0.9, 1.0, line));
 }
 
-// How far the water at p has flowed, from one side of the channel to the next.
+// How far the water at p has flowed along its side of the channel.
 float streamAt(vec3 p)
 {
     vec2 q = p.xz - MIDDLE;
@@ -118,8 +119,8 @@ float sunlight(vec3 p, vec3 normal)
     return lambert(normal, TO_SUN) * lightReaching(ray, far, hitThreshold, maxSteps);
 }
 
-// The background. All parallel rays would meet the same point of a sky, so this is a painting that
-// depends on the pixel's position.
+// The background. All parallel rays would meet the same point of a sky, so the background is a
+// painting that depends on the pixel's position.
 vec3 backdrop()
 {
     vec2 screen = screenPosition(gl_FragCoord.xy + iPixelOffset);

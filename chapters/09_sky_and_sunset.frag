@@ -49,7 +49,7 @@ float hour()
     return timeOfDay + hoursPerSecond * iTime;
 }
 
-// Optical depth of air and dust overhead.
+// The optical depth of the air and the dust overhead.
 vec3 airDepth()
 {
     return RAYLEIGH + haze;
@@ -64,7 +64,7 @@ vec3 skyLight(vec3 direction, vec3 sun)
     return day + nightSky(direction, sun);
 }
 
-// The direction of the strongest light, at night that of the moon.
+// The direction to the strongest light: the sun or, at night, the moon, which is opposite it.
 vec3 lightDirection(vec3 sun)
 {
     return sun.y > 0.0 ? sun : -sun;
@@ -75,16 +75,17 @@ vec3 lightDirection(vec3 sun)
 // The point where a ray ends, and how it appears in the pixel.
 struct Place {
     vec3  p;
-    float t;                   // of p along the ray
+    float t;                   // distance to p along the ray
     bool  met;                 // false if the ray shows the sky
-    bool  ground, tower, lamp; // a tree if none of the three
+    bool  ground, tower, lamp; // if all three are false, p is on a tree
     Block block;
     vec3  normal;
     float width;               // of the pixel at p, scene units
     float facing;              // cosine of the angle between normal and ray, at least 0.03
 };
 
-// The march finds towers, lamps and trees. The ground is the floor of the interval.
+// The march finds towers, lamps and trees. The ground is the lower face of the box that gives the
+// interval.
 Place placeAlong(Ray ray)
 {
     float spread = footprint * pixelSpread();
@@ -100,7 +101,7 @@ Place placeAlong(Ray ray)
     bool tower = max(aside.x, aside.z) < 4.5 * BAY.x + 2.0 * (hitThreshold + width), lamp = aside.z < 0.7;
     vec3 normal = ground ? vec3(0.0, 1.0, 0.0) : cityNormal(block, tower, lamp);
     float facing = max(abs(dot(normal, ray.direction)), 0.03);
-    if (met) { // report the hit to the views and the probe, on the ground too
+    if (met) { // report the hit to the views and the probe, also on the ground
         traceNormal(normal);
         traceMarch(trace.steps, t, END_HIT);
     }
@@ -110,7 +111,7 @@ Place placeAlong(Ray ray)
 // ---- The material, found once, at the hit ----
 
 // The glass of a shop and of a window above, as shares of the wall that belongs to each,
-// horizontally and vertically; and the share of each that is lit in the evening.
+// horizontally and vertically; and the shares of shops and of windows that are lit in the evening.
 const vec2  SHOP = vec2(0.86, 0.7);
 const vec2  WINDOW = vec2(0.6, 0.56);
 const float SHOPS_LIT = 0.8;
@@ -129,14 +130,14 @@ float lampsOn(vec3 sun)
     return 1.0 - smoothstep(-0.02, 0.12, sun.y);
 }
 
-// How many people light their windows: from dusk until they sleep, when the sun is far below the
-// horizon.
+// The share of the people who have their lights on: from dusk until they go to sleep, when the sun
+// is far below the horizon.
 float windowsOn(vec3 sun)
 {
     return (1.0 - smoothstep(-0.08, 0.2, sun.y)) * smoothstep(-0.85, -0.4, sun.y);
 }
 
-// The vector from the bulb of the nearest lamp, in the folded street.
+// The vector from the bulb of the nearest lamp to the point, in the folded street.
 vec3 fromBulb(Place place)
 {
     return pavement(place.block.local) - LAMP;
@@ -191,7 +192,7 @@ Material materialAt(Place place, vec3 sun)
 
 // ---- The light that arrives, and the light that goes to the camera ----
 
-// 1 where the sun or the moon is visible, else 0. A ray that grazes for too long counts as blocked.
+// 1 if the sun or the moon is visible, otherwise 0. A ray that runs out of steps counts as blocked.
 // Walls that the light grazes, at a cosine below 0.02, are not tested: they receive hardly any
 // light and cost the most.
 float lightSeen(Place place, vec3 toLight)
@@ -224,7 +225,7 @@ vec3 mirroredLight(Place place, Material material, vec3 direction, vec3 sun, vec
     return (0.04 + 0.96 * square * square) * (panes + material.gloss * glint);
 }
 
-// The light that a point sends to the camera: matt, reflected and emitted.
+// The light that a point sends to the camera: scattered, reflected and emitted.
 vec3 placeLight(Place place, vec3 direction, vec3 sun, vec3 sky)
 {
     Material material = materialAt(place, sun);
@@ -235,8 +236,8 @@ vec3 placeLight(Place place, vec3 direction, vec3 sun, vec3 sky)
 
 // ---- The picture ----
 
-// Light as the screen shows it. The exposure follows the sky, as an eye does. Then light of any
-// strength is compressed below 1, as film does: the more light there is, the less an addition
+// Light as the screen shows it. The exposure adapts to the sky, as an eye does. Then light of any
+// strength is compressed to below 1, as on film: the more light there is, the less an addition
 // counts.
 vec3 exposed(vec3 light, vec3 sun)
 {

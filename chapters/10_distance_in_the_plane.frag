@@ -24,17 +24,19 @@ uniform float hitThreshold; // 0.004 in [0.00001, 0.1] step *2, units: distance 
 const float FAR = 6.0; // a ray that has travelled this far has left the sheet
 
 // The point of the sheet, the plane z = 0, that a point of the screen shows. The camera stays in
-// front of the sheet. Beyond the horizon, the sheet continues for ever.
+// front of the sheet. A ray above the horizon, which would miss the sheet, is given a point far
+// away.
 vec2 sheetPlace(vec2 screen)
 {
     vec3 way = screen.x * iCameraRight + screen.y * iCameraUp + focalLength * iCameraForward;
     return iCameraPosition.xy - max(iCameraPosition.z, 0.01) / min(way.z, -0.001) * way.xy;
 }
 
-// How far that point moves when the point of the screen moves, to first order: the derivative of
-// sheetPlace.
+// How far the point of the sheet moves when the point of the screen moves, to first order: the
+// derivative of sheetPlace.
 //   p     the point of the sheet
-//   move  of the point of the screen, as a vector in space: a multiple of the camera's right or up
+//   move  movement of the point of the screen, as a vector in space: a multiple of the camera's
+//         right or up
 //   away  distance from the camera to the sheet, along the view, in focal lengths
 vec2 sheetStep(vec2 p, vec3 move, float away)
 {
@@ -137,7 +139,7 @@ vec3 fieldColour(vec2 p, vec2 right, vec2 up)
 {
     float d = distanceAt(vec3(p, 0.0));
     float perPixel = length(vec2(distanceAt(vec3(right, 0.0)), distanceAt(vec3(up, 0.0))) - d);
-    perPixel = max(perPixel, 0.25 * length(right - p)); // on a ridge
+    perPixel = max(perPixel, 0.25 * length(right - p)); // on a ridge, where the change vanishes
     float near = exp(-abs(d) / (d > 0.0 ? 0.3 : 0.06));
     vec3 light = d > 0.0 ? mix(PAPER, GLOW, near) : mix(DEEP, EDGE, near);
     float level = floor(d / lineSpacing + 0.5);
@@ -194,7 +196,7 @@ vec3 rayColour(Ray ray)
     float down = screen.x * iCameraRight.z + screen.y * iCameraUp.z + focalLength * iCameraForward.z;
     float away = max(iCameraPosition.z, 0.01) / max(-down, 0.001) * 2.0 / iResolution.y;
     vec2 right = sheetStep(p, iCameraRight, away), up = sheetStep(p, iCameraUp, away);
-    float wide = down < -0.001 ? max(length(right), length(up)) : 1.0; // from one unit on there is only paper
+    float wide = down < -0.001 ? max(length(right), length(up)) : 1.0; // a pixel wider than a unit shows only paper
     vec3 light = marchColour(fieldColour(p, p + right, p + up), p, right, up, ray);
     return encodeSRGB(mix(light, PAPER, blurred(wide)));
 #endif

@@ -34,7 +34,7 @@ Ray pixelRay(vec2 screen)
 
 // ---- Distances: the table, the wall and the objects ----
 
-// How far the wax has changed from the cube to the ball, 0 to 1.
+// How far the wax has changed from the cube to the ball, from 0 to 1.
 float waxShare()
 {
     return 0.5 - 0.5 * cos(0.5 * iTime + 1.2);
@@ -57,8 +57,8 @@ float cameraRoom(vec3 p)
 
 // ---- Where to look ----
 
-// The interval of a ray: from where it enters a box, or from just in front of the plane that it
-// meets, the table or the wall, to a little behind that plane.
+// The interval of a ray: from where it enters a box around objects, or from just in front of the
+// plane that it meets, the table or the wall, to a little behind that plane.
 vec2 sceneInterval(Ray ray)
 {
     vec2 things = thingsInterval(ray);
@@ -136,7 +136,7 @@ Material materialAt(vec3 p, Pixel pixel)
 
 // ---- Light ----
 
-// A rectangle with soft edges around the origin: 1 inside.
+// A rectangle with soft edges around the origin: 1 inside, 0 outside.
 float pane(vec2 q, vec2 halfSize, float soft)
 {
     vec2 inside = 1.0 - smoothstep(halfSize - soft, halfSize + soft, abs(q));

@@ -30,16 +30,16 @@ uniform float normalStep;   // 0.002 in [0.0000001, 0.5] step *2, scene units: s
 const float FAR = 60.0;                       // at this distance the ground has become mist
 const vec3  LOW = vec3(-1.85, -0.1, -0.62);   // opposite corners of a box around the bench
 const vec3  HIGH = vec3(2.25, 1.6, 0.62);
-const vec3  ROW_LOW = vec3(-0.7, -0.1, -9.3); // and of one around the row of stones behind it
+const vec3  ROW_LOW = vec3(-0.7, -0.1, -9.3); // opposite corners of a box around the row of stones behind the bench
 const vec3  ROW_HIGH = vec3(2.7, 2.25, -2.3);
-const int   OCTAVES = 1;                      // of the noise that carves the stones in the march,
-const float CELLS = 2.8;                      //   cells per scene unit,
-const float GAIN = 0.45;                      //   weight of an octave relative to the previous one,
-const float LACUNARITY = 2.0;                 //   and how much finer it is
-const float BALL = 0.28;                      // its radius
-const float REPEATS = 1.8;                    // of the granite, per scene unit
-const float WEAVE = 0.8;                      // repeats of plank and cloth, per scene unit
-const vec3  SUN = vec3(-0.899, 0.345, 0.269); // its direction, length 1
+const int   OCTAVES = 1;                      // octaves of the noise that carves the stones in the march
+const float CELLS = 2.8;                      // cells of the first octave per scene unit
+const float GAIN = 0.45;                      // weight of an octave relative to the previous one
+const float LACUNARITY = 2.0;                 // how much finer an octave is than the previous one
+const float BALL = 0.28;                      // radius of the ball, scene units
+const float REPEATS = 1.8;                    // repeats of the granite per scene unit
+const float WEAVE = 0.8;                      // repeats of the plank and of the cloth per scene unit
+const vec3  SUN = vec3(-0.899, 0.345, 0.269); // direction to the sun, length 1
 const vec3  SUN_COLOUR = vec3(2.2, 1.62, 1.05);
 const vec3  SKY_COLOUR = vec3(0.13, 0.18, 0.26);
 const vec3  EARTH_COLOUR = vec3(0.028, 0.03, 0.034);
@@ -74,8 +74,8 @@ Pose ballPose()
 
 // A shell around the plank, open below and cut off at the hem. If it were closed just under the
 // cut, the bound of its distance would be near 0 there, which is a hit for the wide rays of a small
-// picture. Folds push it sideways along z, more the lower it hangs, with a slope of at most 0.7.
-// Without the folds the shell is the same for every x, so their slope adds perpendicularly.
+// picture. Folds push it sideways along z, the more the lower it hangs, with a slope of at most
+// 0.7. Without the folds, the shell is the same at every x, so their slope adds perpendicularly.
 float clothDistance(vec3 p)
 {
     vec3 q = p - vec3(0.75, 0.6, 0.0);
@@ -100,7 +100,7 @@ vec4 stoneNoise(vec3 p, int count)
     return vec4(1.0, vec3(CELLS)) * octaveNoise(CELLS * p, count, GAIN, LACUNARITY);
 }
 
-// The Lipschitz constant of this noise.
+// The Lipschitz constant of stoneNoise as the march uses it.
 float stoneNoiseStretch()
 {
     return CELLS * octaveStretch(OCTAVES, GAIN, LACUNARITY);
@@ -130,12 +130,12 @@ vec2 sceneInterval(Ray ray)
 // ---- Materials ----
 
 struct Surface {
-    vec4 part;   // partDistances near it
+    vec4 part;   // the smallest absolute partDistances near p, at most 1
     vec3 normal; // of the smooth shapes
 };
 
 // The surface at p. Its normal comes from differences of the smooth shapes only, at the corners of a
-// tetrahedron. Where they cancel, the normal points up.
+// tetrahedron. If they cancel, or without a hit, the normal points up.
 Surface surfaceAt(vec3 p, float h, bool hit)
 {
     Surface surface = Surface(vec4(1.0), vec3(0.0));
@@ -157,7 +157,7 @@ vec3 graniteAt(vec3 p, vec3 normal, Footprint f)
 {
     vec3 weights = planeWeights(normal, sharpness);
     weights = planes == 2 ? twoPlaneWeights(weights) : (planes == 1 ? vec3(0.0, 1.0, 0.0) : weights);
-    weights *= step(0.01, weights); // a smaller weight costs a lookup; the others sum to more than 0.98
+    weights *= step(0.01, weights); // a smaller weight is not worth a lookup; the others sum to more than 0.98
     return textureOnPlanes(granite, REPEATS * p, footprintSeen(f, mat3(1.0), REPEATS), weights).rgb;
 }
 
@@ -167,8 +167,8 @@ struct Material {
     float polish; // 1 if it mirrors the sky
 };
 
-// The material at the point where the ray ends, found once, at the hit. Without a hit it is the
-// ground.
+// The material at the point where the ray ends, found once, at the hit. Without a hit, the point is
+// on the ground.
 //   width  of the pixel at p, scene units
 Material materialAt(vec3 p, vec3 direction, float width, bool hit)
 {
@@ -225,7 +225,7 @@ vec3 rayColour(Ray ray)
     float t = hit.found ? hit.t : ground, radius = hitThreshold + spread * t;
     vec3 p = ray.origin + t * ray.direction;
     Material material = materialAt(p, ray.direction, 2.0 * spread * t, hit.found);
-    if (t < FAR) { // report the hit to the views and the probe, on the ground too
+    if (t < FAR) { // report the hit to the views and the probe, also on the ground
         traceNormal(material.normal);
         traceMarch(trace.steps, t, END_HIT);
     }

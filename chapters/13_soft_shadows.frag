@@ -25,10 +25,10 @@ uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: di
 // it, and a shadow ray need not climb away from it.
 const vec3  LOW = vec3(-10.1, -0.01, -5.3);         // opposite corners of a box around everything else
 const vec3  HIGH = vec3(6.9, 2.78, 2.9);
-const float EDGE = -5.2;                            // the floor ends there, scene units
+const float EDGE = -5.2;                            // z at which the floor ends, scene units
 const float FAR = 60.0;
 const float LONGEST_SHADOW = 10.0;                  // length of the longest shadow with the sun 17 degrees high, scene units
-const vec3  SUN_COLOUR = vec3(1.36, 1.00, 0.68);    // its light on a surface that faces it, linear RGB
+const vec3  SUN_COLOUR = vec3(1.36, 1.00, 0.68);    // light of the sun on a surface that faces it, linear RGB
 const vec3  SKY_COLOUR = vec3(0.25, 0.35, 0.53);    // light from above
 const vec3  EARTH_COLOUR = vec3(0.54, 0.40, 0.31);  // light from below, reflected by the floor
 const vec3  GLOW_COLOUR = vec3(0.22, 0.13, 0.06);   // light from the bright sky around the sun

@@ -17,8 +17,8 @@ uniform int   maxSteps;     // 96 in [1, 512]: steps after which a ray is abando
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
 const vec3 SKY = vec3(1.18, 1.22, 1.26);              // light of the whole sky on an open floor, linear RGB
-const vec3 NEAR = vec3(0.66, 0.56, 0.46);             // share of it that the court's surfaces reflect, on average
-const vec3 DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02); // for large errors of the taps
+const vec3 NEAR = vec3(0.66, 0.56, 0.46);             // share of light that the court's surfaces reflect, on average
+const vec3 DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02); // colours of large errors of the taps
 
 bool lookingRound; // true if the distance is for rays to the sky, false for the ray from the eye
 

@@ -28,15 +28,15 @@ uniform bool  dither;       // true: a fixed pattern before the rounding to 255 
 uniform int   maxSteps;     // 96 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
-const vec3  SUN_COLOUR = vec3(5.4, 3.2, 1.45);      // its light on a surface that faces it, linear RGB
+const vec3  SUN_COLOUR = vec3(5.4, 3.2, 1.45);      // light of the sun on a surface that faces it, linear RGB
 const vec3  SKY_COLOUR = vec3(0.21, 0.34, 0.58);    // light from above
 const vec3  COURT_COLOUR = vec3(0.16, 0.15, 0.16);  // light from below, reflected by the court
 const vec3  MIST_SKY = vec3(0.10, 0.16, 0.27);      // light of the sky that the mist scatters
-const vec3  MIST_SUN = vec3(3.3, 1.90, 0.86);       // light of the sun that it scatters straight ahead
+const vec3  MIST_SUN = vec3(3.3, 1.90, 0.86);       // light of the sun that the mist scatters straight ahead
 const float FORWARD = 0.6;                          // mean cosine of the scattering angle
 const vec3  AIR_LOW = vec3(-4.74, 0.61, -6.19);     // opposite corners of an empty box in the gallery
 const vec3  AIR_HIGH = vec3(4.74, 3.70, -4.29);
-const float ARCADE = -4.0;                          // z of the middle of its wall
+const float ARCADE = -4.0;                          // z of the middle of the arcade's wall
 const float SKY = 1e4;                              // distance of the sky, scene units
 const float EAVES = 3.5;                            // height above which the roof blocks the sun
 
@@ -68,8 +68,8 @@ vec3 skyLight(vec3 direction, vec3 toSun)
     return blue + vec3(1.6, 0.95, 0.42) * glow(direction, toSun, 0.7);
 }
 
-// Whether a point of the mist is in the sun: only the walls and the arcade are tested, because all
-// other objects are too small.
+// 1 if a point of the mist is in the sun, otherwise 0. Only the walls and the arcade are tested,
+// because all other objects are too small.
 float mistLit(Ray toSun)
 {
     float t = (ARCADE - toSun.origin.z) / toSun.direction.z;
@@ -105,7 +105,7 @@ vec3 placeLight(Place place, vec3 toSun)
     return place.colour * (sky + seen * lambert(place.normal, toSun) * SUN_COLOUR);
 }
 
-// The light along a ray: from its end, from the mist, and how much mist is in between.
+// The light along a ray: that from its end, that from the mist, and how much mist is in between.
 struct Seen {
     vec3  light; // linear
     vec3  fog;
@@ -128,7 +128,7 @@ Seen seenAlong(Ray ray)
 
 // ---- Film ----
 
-// From the light on the film to the displayed light, linear.
+// Convert the light on the film to the displayed light, which is still linear.
 vec3 developed(vec3 light)
 {
     vec3 film = curve == 2 ? filmOfLargest(light, gamma, white) : filmCurve(light, gamma, white);

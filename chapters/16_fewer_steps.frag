@@ -27,7 +27,7 @@ uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: di
 // whose intersection with a ray takes one division; it is not part of the distance.
 const float SEA = -1.1;
 const vec3  LOW = vec3(-4.3, -1.2, -49.0), HIGH = vec3(4.3, 7.1, 7.9); // corners of a box around the pier
-const vec3  POLES_LOW = vec3(3.9, -1.5, -36.0), POLES_HIGH = vec3(4.7, 2.2, 1.0); // the poles on one side
+const vec3  POLES_LOW = vec3(3.9, -1.5, -36.0), POLES_HIGH = vec3(4.7, 2.2, 1.0); // the same for the poles on one side
 const float TWIST = 3.0;                         // of a pole, radians per scene unit
 const float POLE_REACH = 0.28;                   // radius of the cylinder in which the twist is evaluated, scene units
 const vec3  TO_SUN = vec3(-0.4933, 0.6972, 0.5202);
@@ -51,7 +51,7 @@ float bar(vec3 p, float width, float height)
     return sdBox(p, vec3(width, height, width));
 }
 
-// The walk, its rails and their posts, the piles, and the masts with lanterns; x >= 0.
+// The walk, its rails and their posts, the piles, and the masts with lanterns, for x >= 0.
 float pierDistance(vec3 p)
 {
     float deck = sdBox(p - vec3(0.0, -0.06, -16.5), vec3(1.4, 0.06, 24.0));
@@ -78,8 +78,8 @@ float pavilionDistance(vec3 p)
     return min(min(columns, cupola), min(sdBox(q - vec3(0.0, -0.06, 0.0), vec3(4.2, 0.06, 4.2)), top));
 }
 
-// Mooring poles: twisted square bars with a ball on top; x >= 0. The twist is evaluated only near
-// the axis of a pole; farther away, a cylinder around the pole is enough.
+// Mooring poles, for x >= 0: twisted square bars with a ball on top. The twist is evaluated only
+// near the axis of a pole; farther away, a cylinder around the pole is enough.
 float polesDistance(vec3 p)
 {
     vec3 q = vec3(p.x - 4.3, p.y - 0.2, opRepeatLimited(p.z, 7.0, -5.0, 0.0));
@@ -104,7 +104,8 @@ float cameraRoom(vec3 p)
 
 // ---- Where to march, and how ----
 
-// The interval in which a ray can hit: a box for the pier, and one for the poles on each side.
+// The interval in which a ray can hit something. It covers a box for the pier and one for the poles
+// on each side.
 vec2 boxesInterval(Ray ray)
 {
     vec3 mirror = vec3(-1.0, 1.0, 1.0), other = mirror * POLES_LOW, opposite = mirror * POLES_HIGH;

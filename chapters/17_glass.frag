@@ -1,5 +1,5 @@
-// 17 Glass: light splits at each surface. The ray goes on with the transmitted part; inside, a step
-// is minus the distance.
+// 17 Glass: light splits at each surface, and the ray continues with the transmitted part. Inside the
+// glass, the length of a step is minus the distance.
 
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "cone.glsl"       // perspectiveRay, pixelSpread
@@ -32,18 +32,18 @@ uniform float hitThreshold; // 0.0004 in [0.00001, 0.05] step *2, scene units: d
 const vec3  LOW = vec3(-1.95, -0.01, -1.10), HIGH = vec3(1.65, 1.65, 1.15); // corners of a box around the glass
 const float FAR = 30.0;
 const vec4  BALL = vec4(1.10, 0.502, 0.0, 0.5);      // centre and radius
-const vec3  TUMBLER = vec3(-0.10, 0.802, -0.40);     // its centre
-const vec3  PRISM = vec3(-1.32, 0.322, 0.45);        // its centre
-const float PRISM_RADIUS = 0.32;                     // from its axis to a side
-const vec2  PRISM_BASE = vec2(0.9916, -0.1296);      // x and z of the direction of its base, length 1.00003
-const vec2  CROWN = vec2(1.5046, 0.00420);           // Cauchy's coefficients: BK7
-const vec2  FLINT = vec2(1.6894, 0.01341);           // SF10
+const vec3  TUMBLER = vec3(-0.10, 0.802, -0.40);     // centre of the tumbler
+const vec3  PRISM = vec3(-1.32, 0.322, 0.45);        // centre of the prism
+const float PRISM_RADIUS = 0.32;                     // distance from the axis of the prism to a side
+const vec2  PRISM_BASE = vec2(0.9916, -0.1296);      // x and z of the direction of the prism's base, length 1.00003
+const vec2  CROWN = vec2(1.5046, 0.00420);           // Cauchy's coefficients of BK7 glass
+const vec2  FLINT = vec2(1.6894, 0.01341);           // Cauchy's coefficients of SF10 glass
 const vec3  AMBER = vec3(0.25, 0.9, 2.4);            // absorption per scene unit
 const vec3  LAMP_COLOUR = vec3(1.25, 1.02, 0.78);
 const vec3  TABLE_COLOUR = vec3(0.045, 0.060, 0.080);
 const float SQUARE = 0.6;                            // side of a square of the table's pattern
 const float BEAM = 0.035;                            // half the width of the prism's beam
-const float BEAM_RISE = 0.14;                        // sine of the angle at which it descends to the table
+const float BEAM_RISE = 0.14;                        // sine of the angle at which the beam descends to the table
 const float BEAM_LIGHT = 8.0;
 
 Ray pixelRay(vec2 screen)
@@ -53,7 +53,7 @@ Ray pixelRay(vec2 screen)
 
 // ---- The glass: distances that are exact inside ----
 
-// The prism's plan: x along its base, y towards its edge.
+// A point in the prism's plan: x along the base, y towards the edge opposite the base.
 vec2 prismPlan(vec2 p)
 {
     vec2 q = p - PRISM.xz;
@@ -132,7 +132,7 @@ vec3 beamLight(vec3 p)
     return BEAM_LIGHT * (beam.white + meanColour(beam.waves.x, beam.waves.y));
 }
 
-// The lamp's light on the table: straight through the glass, except for the ball, which gathers it.
+// The lamp's light on the table. It goes straight through the glass, but the ball gathers it.
 vec3 lampLight(vec3 p, bool asked)
 {
     vec3 lamp = toLamp(), fromBall = p - BALL.xyz;
@@ -166,17 +166,18 @@ vec3 worldLight(Ray ray, float far)
 // ---- The path of a ray ----
 
 struct Way {
-    Ray   ray;   // behind the last surface
+    Ray   ray;   // starts at the last surface
     float far;   // length of the path from the eye to there, scene units
     vec3  share; // of the light there that reaches the eye
     vec3  light; // reflected towards the eye at the surfaces before it
     bool  free;  // true if the ray met nothing more, false if it met too many surfaces
 };
 
-// Follow a ray from surface to surface. The part that is not followed, which is the reflected one unless all is
-// reflected, is assumed to come straight from the room.
+// Follow a ray from surface to surface. With byLot, chance decides at each surface whether the ray is reflected.
+// Otherwise, the part that is not followed, which is the reflected one unless all light is reflected, is assumed to
+// come straight from the room.
 //   wave  wavelength of the light, micrometres
-//   lot   the first dimension of pixelRandom
+//   lot   the first dimension of pixelRandom that the path uses
 Way wayThrough(Ray ray, float wave, int lot)
 {
     Way way = Way(ray, 0.0, vec3(1.0), vec3(0.0), true);

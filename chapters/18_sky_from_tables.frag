@@ -23,14 +23,14 @@ uniform float hitThreshold;   // 0.01 in [0.00001, 0.2] step *2, metres: distanc
 // x points north, y up, z east; the camera looks west. One scene unit is one metre.
 const float LATITUDE = 43.6;              // degrees
 const float DECLINATION = 2.0;            // of the sun at the end of March, degrees
-const vec3  PINE = vec3(29.0, 2.4, -47.0); // its foot
+const vec3  PINE = vec3(29.0, 2.4, -47.0); // foot of the pine
 const vec3  HILL = vec3(31.5, -12.8, -48.0); // the centre of the ball whose top is the largest rock
 
 // Bounding boxes of the land and of the pine, including their mirror images.
 const vec3 LAND_LOW = vec3(11.5, -4.2, -58.5), LAND_HIGH = vec3(47.0, 4.2, -38.0);
 const vec3 PINE_LOW = vec3(21.0, -12.0, -52.0), PINE_HIGH = vec3(33.5, 12.0, -42.0);
 
-// The light without sun and moon, 2e-4 cd/m^2: airglow and stars.
+// The light of the sky without sun and moon, 2e-4 cd/m^2: airglow and stars.
 const vec3 NIGHT = vec3(0.4e-7, 0.5e-7, 0.8e-7);
 
 // The displacement of the image by the waves at this pixel: metres sideways per metre of depth.
@@ -48,7 +48,7 @@ vec3 sunNow()
     return sunDirection(timeOfDay + hoursPerSecond * iTime, LATITUDE, DECLINATION);
 }
 
-// The sky with the sun, plus its own light at night.
+// The sky with the sun, plus the light that the night sky has without them.
 vec3 skyLight(vec3 direction, vec3 sun)
 {
     return tableSky(sunward, away, direction, sun) + tableSun(halo, direction, sun, radians(sunRadius)) + NIGHT;
@@ -56,7 +56,7 @@ vec3 skyLight(vec3 direction, vec3 sun)
 
 // ---- The islet ----
 
-// A triangle wave from -1 to 1 and back in one unit: its slope is at most 4.
+// A triangle wave with period 1 between -1 and 1: its slope is at most 4.
 float zigzag(float x)
 {
     return 4.0 * abs(fract(x) - 0.5) - 1.0;
@@ -80,8 +80,8 @@ float pineDistance(vec3 p)
     return min(0.7 * trunk, 0.27 * (domes - leaf));
 }
 
-// Three rocks: each is the part of a ball within a cone, so that its sides are steep at the water.
-// A lower bound.
+// Three rocks, each a ball. The two larger balls are cut by cones, so that their sides are steep at
+// the water. It is a lower bound.
 float landDistance(vec3 p)
 {
     float land = max(length(p - HILL) - 16.0, length(p.xz - HILL.xz) - 8.6 + 0.9 * p.y);
@@ -91,8 +91,8 @@ float landDistance(vec3 p)
     return 0.42 * (land + rock);
 }
 
-// Above the water is the islet, below it the mirror image, displaced by the waves. Water shows the
-// world upside down, so a ray goes straight on into the mirror image.
+// The islet is above the water, and its mirror image, displaced by the waves, is below. Water shows
+// the world upside down, so a ray goes straight on into the mirror image.
 float sceneDistance(vec3 p)
 {
     float depth = max(-p.y, 0.0);
@@ -123,7 +123,7 @@ vec2 waveSlope(vec2 at, float width)
 struct Place {
     vec3  p;        // on the islet, if met
     bool  met;      // the ray has met the islet or its mirror image
-    bool  mirrored; // the ray has met the water before
+    bool  mirrored; // the ray has met the water
     vec3  leaves;   // the direction in which the ray leaves if it meets nothing
     float down;     // sine of the angle between ray and water
 };
@@ -144,8 +144,8 @@ Place placeAlong(Ray ray)
 
 // ---- Light ----
 
-// The light reflected at a point of the islet: that of sun and sky on a matt surface, with the
-// normal of the ball or the dome on which the point lies.
+// The light reflected at a point of the islet: that of sun and sky on a matt surface. The normal is
+// that of a single dome for the whole crown, and that of the largest rock everywhere else.
 vec3 isletLight(vec3 p, vec3 sun)
 {
     p.y = abs(p.y);

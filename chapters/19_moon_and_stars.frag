@@ -52,8 +52,8 @@ float spruce(vec3 p, float height)
     return 0.6 * max(length(p.xz) - max(wide, 0.04), max(p.y - height, -p.y));
 }
 
-// The row of trees: each cell has one, with its own height and position. A tree is cut off at the
-// walls of its cell, and a step ends at most 0.3 m beyond them.
+// The row of trees: each cell has one tree, with a random height and position. A tree is cut off at
+// the walls of its cell, and a step ends at most 0.3 m beyond them.
 float forest(vec3 p)
 {
     const float PERIOD = 2.7;
@@ -63,7 +63,7 @@ float forest(vec3 p)
     return min(spruce(q, height), wall > 0.0 ? 0.6 * wall + 0.3 : 1e3);
 }
 
-// A drum, and a hemisphere with a slit that opens towards the moon.
+// The observatory: a drum under a hemisphere, and a house. The slit is painted, by lampLight.
 float observatory(vec3 p)
 {
     vec3 q = p - DOME;
@@ -94,12 +94,12 @@ float cameraRoom(vec3 p)
 
 // ---- The sky ----
 
-// The values that are the same for all pixels.
+// Values that are the same for all pixels.
 struct Hour {
     float hour;       // solar time
-    vec3  sun, moon;  // the directions to them
-    vec3  moonlight;  // on a perpendicular surface; 0 while the moon is down
-    vec3  sunlight;   // likewise for the sun
+    vec3  sun, moon;  // directions to the sun and the moon
+    vec3  moonlight;  // on a perpendicular surface; fades to 0 as the moon sets
+    vec3  sunlight;   // the same for the sun
     float zenith;     // the light of the sky overhead
     float day;        // 0 until the sun is up, 1 when it is high
 };
@@ -115,7 +115,7 @@ Hour hourNow()
 }
 
 // The light that the air scatters from a sun above or below the horizon: by day that of chapter 09;
-// at dusk the sunset of chapter 09, weaker in proportion to the sky overhead, with an arch above
+// at dusk the sunset of chapter 09, dimmed in proportion to the sky overhead, with an arch above
 // the point where the sun went down.
 vec3 skyLight(vec3 direction, vec3 sun)
 {

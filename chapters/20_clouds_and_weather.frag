@@ -4,7 +4,7 @@
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread
 #include "coast.glsl"      // the lighthouse, its house and its rocks: coastDistances, coastInterval, coastColour
-#include "shadow.glsl"     // shadowRay; march comes with it
+#include "shadow.glsl"     // shadowRay; it includes march
 #include "normal.glsl"     // normalAt
 #include "lighting.glsl"   // lambert, encodeSRGB
 #include "noise.glsl"      // valueNoise
@@ -38,7 +38,7 @@ const float DECLINATION = -8.0; // of the sun in the middle of October, degrees
 const float RISE = 0.56;        // upward shift of the lens, half screen heights: vertical lines stay vertical
 const float LOW_CLOUDS = 1.2, CLOUD_TOPS = 3.0, HIGH_CLOUDS = 8.0; // altitudes, km
 const float MOON = 2.2e-6;      // light of the full moon, as a share of the sun's
-const float SUN_RADIUS = 0.009; // radians, of sun and moon: twice the true one
+const float SUN_RADIUS = 0.009; // of sun and moon, radians: twice the true one
 const vec3  LAMPLIGHT = vec3(1.0, 0.72, 0.38);
 
 Ray pixelRay(vec2 screen)
@@ -64,14 +64,14 @@ float cameraRoom(vec3 p)
 // from -2 degrees to -7, and the light of both skies adds.
 struct Lights {
     vec3  skySun;      // direction of the source whose sky is brighter, length 1
-    float skyStrength; // of that sky: 1 for the sun
+    float skyStrength; // strength of that source: 1 for the sun
     vec3  even;        // light of the other source's sky, taken as the same in all directions
-    vec3  clear;       // the mean light of both skies
-    float apart;       // 0 where both are equally bright, and the whole sky is taken as even; 1 by day
+    vec3  clear;       // the mean light of the whole clear sky, from both sources
+    float apart;       // 0 if both skies are equally bright, and the whole sky is taken as even; 1 by day
     vec3  sun;      // direction to the sun, or to the moon once the sun lights no cloud
     float strength; // light of that source: 1 for the sun
-    vec3  low;      // its light at the ground, on a perpendicular surface
-    vec3  high;     // its light at the clouds
+    vec3  low;      // light of that source at the ground, on a perpendicular surface
+    vec3  high;     // the same at the clouds
     vec3  sky;      // light of the whole sky on a horizontal white surface
     float stops;    // of the exposure
     float lamp;     // brightness of the lamps
@@ -89,8 +89,8 @@ Lights lightsAt(float hour)
     vec3 low = strength * tableSunlight(sun);
     vec3 high = strength * tableSunlight(vec3(0.0, cloudSunHeight(sun.y, CLOUD_TOPS), 0.0));
     vec3 sky = mix(clear, overcastWhite(clear + low * max(sun.y, 0.0)), overcastShare(weather));
-    // The exposure suits the light of which the eye sees most: sky and sunlit clouds, or the overcast
-    // sky alone.
+    // The exposure suits the light that fills most of the picture: that of sky and sunlit clouds, or
+    // only that of the overcast sky.
     float bright = mix(clear.y + 0.2 * high.y, 2.0 * sky.y, overcastShare(weather));
     float stops = -1.2 - 0.85 * log2(bright), left = sunLeft(weather);
     float dark = 1.0 - smoothstep(0.04, 0.15, sky.y);
@@ -112,7 +112,8 @@ vec3 discLight(vec3 direction, Lights lights)
     return lights.strength * tableSun(halo, direction, lights.sun, SUN_RADIUS);
 }
 
-// The fair panorama in front of the storm's, and both in front of the high layer.
+// The clouds: the panorama of fair weather in front of that of bad weather, and both in front of the
+// high layer.
 Cloud cloudsAt(vec3 direction, float width)
 {
     float turn = turned + drift * iTime;
@@ -143,12 +144,12 @@ vec3 skyWithClouds(vec3 direction, Lights lights, float width)
 // The point that a ray meets.
 struct Place {
     bool  land, water; // both false for the sky
-    float t;           // of p along the ray; 1e5 for the sky
+    float t;           // distance to p along the ray; 1e5 for the sky
     vec3  p;
     vec3  part;        // distances of rock, tower and house
     vec3  normal;
-    float tone;        // noise there, in [0, 1)
-    float width;       // of the pixel there, scene units
+    float tone;        // noise at p, in [0, 1)
+    float width;       // of the pixel at p, scene units
     Ray   seen;        // the ray on which the sky is evaluated: mirrored for the sea
 };
 
@@ -184,7 +185,8 @@ Place placeAlong(Ray ray)
     return Place(land, water, t, p, part, normal, grain.x, width, seen);
 }
 
-// The width of a pixel of the sky, radians; waves scatter the mirrored rays.
+// The angle over which a pixel averages the sky, radians. It is larger on the sea, whose waves scatter
+// the mirrored rays.
 float skyWidth(Place place)
 {
     return place.water ? 0.01 : 2.0 * pixelSpread();

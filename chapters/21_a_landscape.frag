@@ -7,8 +7,8 @@
 #include "water.glsl"     // footprintOnWater, glitter
 #include "fresnel.glsl"   // schlickShare
 #include "lighting.glsl"  // lambert, encodeSRGB
-#include "soft_shadow.glsl" // discBesideEdge; shadowRay, shadowReach come with it
-#include "fog.glsl"       // fogDepth, fogLight, throughFog; sunDirection and airMass come with it
+#include "soft_shadow.glsl" // discBesideEdge; it includes shadowRay, shadowReach
+#include "fog.glsl"       // fogDepth, fogLight, throughFog; it includes sunDirection, airMass
 #include "film.glsl"      // exposed, filmOfLargest, ditherStep
 #include "sky_table.glsl" // tableSky, tableSun, tableSunlight, tableAmbient, daylightFilm
 #include "night.glsl"     // skyTurn, starLight, airglow, the moon
@@ -45,7 +45,7 @@ const float LATITUDE = 43.6;   // degrees
 const float SUN_RADIUS = 0.0047, MOON_RADIUS = 0.009; // radians: the moon's is twice the true one
 const float DISC = 0.0047;      // the true radius of both, for shadows
 const float LOW_CLOUDS = 3.0, HIGH_CLOUDS = 8.0; // altitudes, km
-const float HIGH_PERIOD = 70.0; // of the picture of the high clouds, km; it passes once a day
+const float HIGH_PERIOD = 70.0; // period of the picture of the high clouds, km; it moves by one period a day
 const float MOON_STOPS = 3.5;   // most stops of exposure for the moon, because an eye that looks at it adapts
 const vec3  LAMPLIGHT = vec3(0.62, 0.24, 0.06);  // from the windows of the cabin
 
@@ -62,11 +62,11 @@ Ray pixelRay(vec2 screen)
 }
 
 // How much the waves blur the image, per unit of distance from the water; and the number of octaves
-// to evaluate, where 0 means the value of the parameter.
+// to evaluate, where 0 means the value of the parameter octaves.
 float mirrorBlur = 0.0;
 int   asked = 0;
 
-// The land, and in the water a coarser version of it.
+// The distance to the land; below the water, that to a coarser version of it, reduced by the blur.
 float sceneDistance(vec3 p)
 {
     bool below = p.y < 0.0;
@@ -90,13 +90,13 @@ float coarseMargin(float t)
 // The sources of light, computed once for each pixel.
 struct Hour {
     float noon;             // hours since noon, in [0, 24)
-    vec3  sun, moon, toLight; // directions; toLight is that of the source that counts
-    vec3  beam, cloudBeam;  // its light on a perpendicular surface at the ground and at the clouds
+    vec3  sun, moon, toLight; // directions; toLight points to the source that counts
+    vec3  beam, cloudBeam;  // light of that source on a perpendicular surface, at the ground and at the clouds
     vec3  sky;              // light of the whole sky on a horizontal white surface
     vec3  moonlit;          // light of the clear night sky that comes from the moon
     float lamp;             // brightness of the lamps, in [0, 1]
     float stops;            // of the exposure
-    float dimmed;           // share of the light of the moon's disc and of its image that is shown
+    float dimmed;           // share of the light of the moon's disc and of its reflection that is shown
 };
 
 Hour hourNow()
@@ -111,8 +111,8 @@ Hour hourNow()
     float moonUp = max(moon.y, 0.0);
     vec3 moonlit = vec3(0.8, 1.0, 1.3) * (0.15 * moonUp * moonBeam), clear = tableAmbient(sun) + moonlit + 6e-8;
     vec3 sky = mix(clear, overcastWhite(clear + max(toLight.y, 0.0) * beam), overcastShare(theWeather));
-    // The exposure suits the light of which the eye sees most: sky and sunlit clouds, or the overcast
-    // sky alone.
+    // The exposure suits the light that fills most of the picture: that of sky and sunlit clouds,
+    // or only that of the overcast sky.
     vec3 cloudBeam = (day ? vec3(1.0) : full) * high;
     float left = sunLeft(theWeather), bright = exp2(skyBrightness(sun.y)) + 9e-8 + 0.08 * (2.0 * moonUp * moonBeam.g + cloudBeam.g);
     float stops = exposure - 1.5 - 0.9 * log2(mix(bright, 1.3 * sky.g + 8e-8, overcastShare(theWeather)));
@@ -122,9 +122,9 @@ Hour hourNow()
 
 // ---- The sky ----
 
-// The hour of the March equinox at which the stars are where they are now. Since then the sun has
-// moved among them, by an angle whose sine is the tangent of its declination over the tangent of
-// the obliquity.
+// The hour on the day of the March equinox at which the stars have the same directions as now.
+// Since the equinox, the sun has moved among them by an angle whose sine is the tangent of its
+// declination divided by the tangent of the obliquity.
 float hourOfStars(Hour now)
 {
     float sine = tan(radians(declination)) / tan(radians(OBLIQUITY));
@@ -132,7 +132,8 @@ float hourOfStars(Hour now)
 }
 
 // The sky behind the air: stars, the band of the Milky Way, and the moon.
-//   mirrored  true in the water, whose waves do not mirror a disc as a disc: glitter adds its light
+//   mirrored  true for a reflection in the water: waves do not mirror a disc as a disc, so the moon
+//             is left out, and glitter adds its light
 vec3 heavens(vec3 direction, Hour now, float width, bool mirrored)
 {
     vec3 star = skyTurn(hourOfStars(now), LATITUDE) * direction, stars = starLight(star, width) + milkyWay(star);
@@ -165,7 +166,7 @@ vec3 skyLight(vec3 direction, Hour now, bool mirrored, out float open)
 
 struct Place {
     vec3  p, normal, colour;
-    float lamp; // share of lit window
+    float lamp; // 1 in a lit window, otherwise 0
     bool  met;  // false for the sky
 };
 

@@ -16,11 +16,11 @@ uniform float footprint;    // 0.05 in [0, 1] step 0.05, half pixels: how fast t
 uniform int   maxSteps;     // 200 in [1, 1024]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: distance at the eye that counts as a hit
 
-const float FAR = 40.0, SURFACE = 7.0;                     // where water hides everything; height of its surface
-const vec3  TO_SUN = vec3(-0.3612, 0.8729, -0.3281);       // in the water
+const float FAR = 40.0, SURFACE = 7.0;                     // range of vision in the water; height of the surface
+const vec3  TO_SUN = vec3(-0.3612, 0.8729, -0.3281);       // direction to the sun under water
 const vec3  SUN_COLOUR = vec3(2.3, 2.1, 1.6);            // linear RGB, at the depth of the reef
 const vec3  DEEP = vec3(0.002, 0.030, 0.085), SHALLOW = vec3(0.02, 0.25, 0.42); // light of the water, down and up
-const vec3  ABSORBED = vec3(1.6, 0.85, 0.7);               // how fast red, green and blue are lost, times 1 / clearness
+const vec3  ABSORBED = vec3(1.6, 0.85, 0.7);               // absorption of red, green and blue, times 1 / clearness
 
 Ray pixelRay(vec2 screen)
 {
@@ -87,7 +87,8 @@ vec3 shaftLight(Ray ray, float far)
 
 // ---- Colours ----
 
-// A colour of the table: 9 pigments, stone, and fish; towards the tips of a coral it gets paler.
+// A colour of the table, where the upper four bits of paint select one of 9 pigments, stone or fish. A coral becomes
+// paler towards its tips, as the lower four bits grow.
 vec3 paintColour(int paint)
 {
     const vec3 pigment[9] = vec3[9](vec3(0.80, 0.16, 0.38), vec3(0.70, 0.07, 0.05), vec3(0.86, 0.30, 0.05),
@@ -142,7 +143,7 @@ vec3 surfaceLight(Ray ray, float t, bool onSand, float seen, Skin skin, float op
     return skin.colour * (direct + open * (above + below) + torch) + (onSand ? vec3(0.0) : through);
 }
 
-// The number of parts that were evaluated as a colour from night blue to straw, on a logarithmic scale to 1024.
+// The number of parts that were evaluated, as a colour from night blue to straw, on a logarithmic scale up to 1024.
 vec3 countColour(int count)
 {
     const vec3 colours[5] = vec3[5](vec3(0.05, 0.04, 0.15), vec3(0.24, 0.16, 0.43), vec3(0.62, 0.27, 0.46),

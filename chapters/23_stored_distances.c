@@ -9,7 +9,7 @@
 #include "../shaders/textures/elephant.h"
 #include "../shaders/textures/sculpt.h"
 
-// Map a point of the scene to the elephant's coordinates; the turntable has turned by an angle,
+// Map a point of the scene to the elephant's coordinates. The turntable has turned by an angle, in
 // radians.
 static void turn_back(const double p[3], double angle, double q[3])
 {
@@ -19,7 +19,7 @@ static void turn_back(const double p[3], double angle, double q[3])
     q[2] = s * p[0] + c * p[2];
 }
 
-// Find the point of the clay below the pointer.
+// Find the point of the clay below the pointer. Returns false if there is none.
 static bool aim(const unsigned char *grid, const struct sculpture_aim *aim, double point[3])
 {
     const struct parameter *turn = parameters_find(aim->parameters, "turn");

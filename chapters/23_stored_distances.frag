@@ -31,18 +31,18 @@ uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, scene units: dis
 // The grid is the cube from -1 to 1. The elephant stands on a turntable, and the turntable on a table, the plane
 // y = TABLE. A division finds where a ray meets this plane.
 const float TOP = -0.562, TABLE = -0.78;
-const vec3  LOW = vec3(-1.1, TABLE, -1.1), HIGH = vec3(1.1, 0.9, 1.1); // a box around elephant and turntable
+const vec3  LOW = vec3(-1.1, TABLE, -1.1), HIGH = vec3(1.1, 0.9, 1.1); // box around elephant and turntable
 const float FAR = 40.0;
 const vec3  TO_KEY = vec3(-0.7428, 0.5571, 0.3714);   // direction of the large lamp on the left, length 1
 const vec3  TO_RIM = vec3(0.6805, 0.3889, -0.6211);   // direction of the lamp behind, on the right
 const vec3  KEY_COLOUR = vec3(3.6, 2.95, 2.25);       // light on a surface that faces the lamp, linear RGB
 const vec3  RIM_COLOUR = vec3(1.3, 1.8, 2.4);
-const vec3  FILL_COLOUR = vec3(0.18, 0.24, 0.30);     // from above
-const vec3  BOUNCE_COLOUR = vec3(0.10, 0.075, 0.06);   // from below
+const vec3  FILL_COLOUR = vec3(0.18, 0.24, 0.30);     // light from above
+const vec3  BOUNCE_COLOUR = vec3(0.10, 0.075, 0.06);   // light from below
 const vec3  CLAY = vec3(0.36, 0.115, 0.05);
 const vec3  IRON = vec3(0.045, 0.05, 0.055);
 const vec3  PAPER = vec3(0.032, 0.062, 0.072);         // of the table and the backdrop
-const vec3  EYE = vec3(0.148, 0.259, 0.422);         // in the elephant's coordinates; the other is its mirror image
+const vec3  EYE = vec3(0.148, 0.259, 0.422);         // one eye, in the elephant's coordinates; the other is mirrored
 
 Ray pixelRay(vec2 screen)
 {
@@ -57,7 +57,7 @@ vec3 onTurntable(vec3 p)
     return rotationY(-radians(turn + turnSpeed * iTime)) * p;
 }
 
-// A step towards the clay.
+// The length of a step towards the clay.
 float clayDistance(vec3 p)
 {
     float value = storedDistance(grid, onTurntable(p));
@@ -92,7 +92,7 @@ float coarseMargin(float t)
 
 struct Surface {
     vec3  p, normal;
-    vec3  colour;    // of the light that is scattered, linear RGB
+    vec3  colour;    // share of the light that is scattered, linear RGB
     float roughness;
     float mirror;    // share of the light that is reflected at normal incidence
 };
@@ -109,7 +109,7 @@ Surface clayAt(vec3 p, vec3 normal)
     return Surface(p, pupil ? normal : bumped, pupil ? vec3(0.012) : colour, pupil ? 0.18 : 0.62, 0.04);
 }
 
-// The turntable: iron with fine rings, and the table's paper.
+// The turntable, which is iron with fine rings, or the table, which is paper.
 Surface standAt(vec3 p, vec3 normal, bool table)
 {
     float ring = 0.5 + 0.5 * sin(150.0 * length(p.xz));

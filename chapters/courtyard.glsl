@@ -1,4 +1,4 @@
-// courtyard.glsl - a court with an arcade, which chapters 14 and 15 draw: its objects and their
+// courtyard.glsl - a court with an arcade, the scene of chapters 14 and 15: its objects and their
 // materials. Light, camera and parameters belong to the chapters.
 //
 // x points to the right, y upwards, z towards the eye; one scene unit is a metre. The court is a
@@ -18,23 +18,23 @@ const vec3  COURT_LOW = vec3(-4.80, -0.01, -6.35);   // opposite corners of a bo
 const vec3  COURT_HIGH = vec3(4.80, 4.75, 1.50);
 const float COURT_FAR = 40.0;                        // a ray that has travelled this far meets the sky
 const float COURT_SIDE = 4.75;                       // the side walls are at x = -4.75 and 4.75
-const float COURT_TOP = 3.10;                        // their height
+const float COURT_TOP = 3.10;                        // height of the side walls
 const float COURT_FRONT = -3.60;                     // z at which the gallery's floor begins
-const float COURT_BACK = -6.20;                      // z of its rear wall
+const float COURT_BACK = -6.20;                      // z of the gallery's rear wall
 const vec2  COURT_EAVES = vec2(-3.3, 3.46);          // z and y of the roof's edge
 const float TILE = 0.27;                             // width of a tile
-const vec3  COURT_WELL = vec3(-2.15, 0.0, 0.30);     // foot of its axis
+const vec3  COURT_WELL = vec3(-2.15, 0.0, 0.30);     // foot of the axis of the well
 const vec3  COURT_JAR = vec3(2.90, 0.0, -2.85);      // foot of a jar; there is another at -x
 const vec4  COURT_BALL = vec4(3.50, 0.68, -0.5, 0.68); // the larger box tree: centre and radius
 const vec4  COURT_SMALL_BALL = vec4(2.70, 0.36, 1.05, 0.36);
 const float COURT_PAVING = 0.95;                     // side of a paving stone
 const float COURT_JOINT = 0.018;                     // width of a joint, in paving stones
 
-const vec3  LIME = vec3(0.82, 0.79, 0.74);            // shares of the light that are reflected, linear RGB: limewash,
-const vec3  DADO = vec3(0.56, 0.34, 0.23);            // the painted foot and top of the side walls,
+const vec3  LIME = vec3(0.82, 0.79, 0.74);            // limewash; colours are reflected shares of light, linear RGB
+const vec3  DADO = vec3(0.56, 0.34, 0.23);            // the painted foot and top of the side walls
 const vec3  STONE = vec3(0.58, 0.55, 0.50);
 const vec3  PAVING = vec3(0.57, 0.53, 0.47);
-const vec3  CLAY = vec3(0.60, 0.26, 0.14);            // tiles and jars,
+const vec3  CLAY = vec3(0.60, 0.26, 0.14);            // tiles and jars
 const vec3  LEAF = vec3(0.12, 0.20, 0.07);
 const vec3  DOOR = vec3(0.10, 0.22, 0.21);
 const vec3  IRON = vec3(0.05, 0.055, 0.06);
@@ -42,8 +42,8 @@ const vec3  IRON = vec3(0.05, 0.055, 0.06);
 // ---- The objects ----
 
 // A convex corner of a figure in the plane, in a form that needs only one root for a union of many:
-// the square of the distance outside, and the negative depth inside. The minimum of each is that of
-// the union.
+// the square of the distance outside, and the negative depth inside. The smaller of two squares and
+// the smaller of two depths are those of the union.
 //   q        distances to two edges at right angles, each negative inside, scene units
 //   returns  (|max(q, 0)|^2, max(q.x, q.y)), for cornersDistance
 vec2 corner(vec2 q)
@@ -53,7 +53,7 @@ vec2 corner(vec2 q)
 }
 
 // The distance to a union of corners: sqrt(squares) + min(depth, 0), scene units. It is exact
-// outside where each q is exact, and otherwise a lower bound where each q is 1-Lipschitz; inside, a
+// outside if each q is exact, and otherwise a lower bound if each q is 1-Lipschitz. Inside, it is a
 // lower bound of the depth.
 //   corners  the smallest square of all corners, and the smallest depth
 float cornersDistance(vec2 corners)
@@ -71,7 +71,8 @@ vec2 arcadeCorners(vec3 p)
     return min(wall, corner(vec2(0.66 - abs(x), max(abs(p.y - 2.02) - 0.06, before - 0.06))));
 }
 
-// The gallery behind it: the floor, three round steps that lead up to it, and the rear wall.
+// The gallery behind the arcade: the floor, three round steps that lead up to it, and the rear
+// wall.
 vec2 galleryCorners(vec3 p)
 {
     float r = length(p.xz - vec2(0.0, COURT_FRONT));
@@ -89,7 +90,7 @@ vec2 roofCorners(vec3 p)
 }
 
 // A ring of stone below a slab with a hole, and an iron bow above it.
-//   q  from the foot of its axis
+//   q  position relative to the foot of the axis, scene units
 vec2 wellCorners(vec3 q)
 {
     float r = abs(length(q.xz) - 0.62);
@@ -99,7 +100,7 @@ vec2 wellCorners(vec3 q)
 }
 
 // A jar with a foot, a belly, a neck and a lip.
-//   q  from its foot
+//   q  position relative to the foot of the jar, scene units
 vec2 jarCorners(vec3 q)
 {
     vec2 r = vec2(length(q.xz), q.y);
@@ -137,8 +138,8 @@ float cameraRoom(vec3 p)
     return min(courtyardDistance(p), troughDistance(p)) - 0.1;
 }
 
-// Where a ray that starts in the court meets floor or side walls.
-//   returns  t, scene units; COURT_FAR where it meets neither, or passes over a wall's top. Exact
+// Where a ray that starts in the court meets the floor or a side wall.
+//   returns  the exact t, scene units; COURT_FAR if the ray meets neither, or passes over a wall
 float troughReached(Ray ray)
 {
     float wall = (COURT_SIDE - sign(ray.direction.x) * ray.origin.x) / max(abs(ray.direction.x), 1e-6);
@@ -161,8 +162,8 @@ vec3 pavingColour(vec3 p, vec2 width)
     return PAVING * (0.88 + 0.2 * tone) * (1.0 - 0.4 * max(alongZ, alongX));
 }
 
-// Walls, steps, and all floors except the paving.
-//   grain  at the point, in [0, 1]
+// The colour of walls, steps, and all floors except the paving.
+//   grain  noise at the point, in [0, 1]
 vec3 masonryColour(vec3 p, float grain)
 {
     bool side = abs(p.x) > COURT_SIDE - 0.02, rear = p.z < COURT_BACK + 0.02;
@@ -183,7 +184,7 @@ vec3 masonryColour(vec3 p, float grain)
 vec3 courtyardColour(vec3 p, float radius)
 {
     bool leaf = boxTreeDistance(p) < radius;
-    bool above = p.y > 0.5 * radius; // and not on the paving
+    bool above = p.y > 0.5 * radius; // the point is not on the paving
     bool well = above && length(p.xz - COURT_WELL.xz) < 0.82;
     bool jar = above && length(vec2(abs(p.x), p.z) - COURT_JAR.xz) < 0.5;
     vec2 q = p.zy - COURT_EAVES;

@@ -1,4 +1,4 @@
-// The lecture: the scenes of a list in one window, with the programs of all chapters in one.
+// The lecture: one program that contains all chapters and shows the scenes of a list in one window.
 //
 //   build/lecture docs/lecture.txt
 //
@@ -17,7 +17,7 @@ enum { CHAPTERS = 99 };
 static struct lecture_chapter chapters[CHAPTERS];
 static int chapter_count;
 
-// Called by each chapter's main instead of chapter_run.
+// Add a chapter to the list. Each chapter's main calls this function instead of chapter_run.
 int live_run(const struct chapter *chapter, int argc, char **argv)
 {
     (void)argc;

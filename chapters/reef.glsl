@@ -14,7 +14,7 @@ uniform int parts;      // 4096 in [64, 4096] step *8: number of parts in the re
 
 const float BLEND = 0.024;                  // width of the blend between two parts, scene units
 const float MARGIN = 2.0 * BLEND;           // least distance from a cell to the union of the parts that its list leaves out
-const vec3  CORNER = vec3(-10.0, -2.0, -16.0); // positions are measured from here
+const vec3  CORNER = vec3(-10.0, -2.0, -16.0); // positions in the table are relative to this corner
 
 // Texel i of the table, as bytes.
 ivec4 reefTexel(int i)
@@ -39,7 +39,7 @@ struct Grid {
 
 Grid grid;
 
-// Read the grid of the reef that the parameter selects. Every pixel begins with this.
+// Read the grid of the reef that the parameter selects. Every pixel calls this function first.
 void readGrid()
 {
     int at = 8 * (parts > 512 ? 2 : (parts > 64 ? 1 : 0));
@@ -52,7 +52,7 @@ void readGrid()
 
 int asked = 0; // parts evaluated for this pixel
 
-// A part: the vector to p from the nearest point of its segment, and its radius.
+// A part: the vector to p from the nearest point of its segment (xyz), and its radius (w).
 vec4 partAt(int id, vec3 p)
 {
     asked++;
@@ -99,7 +99,7 @@ Cell cellAt(vec3 p)
     return Cell(grid.low + grid.size * vec3(c), grid.size, number, byte.x, float(number) / 4096.0);
 }
 
-// The smooth union of the parts in a cell's list; 1e9 if it is empty.
+// The smooth union of the parts in a cell's list, or 1e9 if the list is empty.
 float listDistance(vec3 p, Cell cell)
 {
     float value = 1e9;
@@ -111,9 +111,10 @@ float listDistance(vec3 p, Cell cell)
 }
 
 Cell  here;         // the cell of the last evaluation
-float listValue;    // and the value of its list
+float listValue;    // value of the list of that cell, at the point of the last evaluation
 
-// The distance to the reef, a lower bound everywhere: near the reef the value of the list, elsewhere the bound.
+// A lower bound of the distance to the reef: the value of the list, at most MARGIN, in a cell that has one; elsewhere
+// the bound, at least MARGIN.
 float reefDistance(vec3 p)
 {
     here = cellAt(p);
@@ -122,7 +123,8 @@ float reefDistance(vec3 p)
     return here.count > 0 ? min(listValue, MARGIN) : max(empty, MARGIN);
 }
 
-// How far a ray may advance from p after reefDistance: by the value of the list, and no farther than the cell's exit.
+// How far a ray may advance from p after reefDistance: in a cell with a list by the value of the list, but no farther
+// than the cell's exit; in an empty cell by the distance, but at least to the exit.
 float roomAlong(vec3 p, vec3 direction, float distance)
 {
     vec3 to = (here.low + here.size * step(0.0, direction) - p) / direction;
@@ -158,7 +160,7 @@ vec2 reefInterval(Ray ray)
     return boxInterval(ray, grid.low, grid.low + grid.size * vec3(grid.cells));
 }
 
-// The look of a point of the reef, mixed in proportion to the slopes of the smooth union.
+// The appearance of a point of the reef, mixed in proportion to the slopes of the smooth union.
 struct Skin {
     vec3  normal;
     vec3  colour;
@@ -169,7 +171,7 @@ const int STONE = 14; // a colour of the table
 
 vec3 paintColour(int paint);
 
-// The skin at p. One pass through the list gives all of it; normalAt would need six.
+// The skin at p. One pass through the list gives all of it, where normalAt alone would need six.
 Skin skinAt(vec3 p, bool wanted)
 {
     Cell cell = cellAt(p);

@@ -8,14 +8,14 @@
 #include "primitives.glsl"
 #include "repetition.glsl"
 
-const vec3  LOW = vec3(-0.82, -0.02, -1.20);     // opposite corners of a box around the objects on the table
+const vec3  LOW = vec3(-0.82, -0.02, -1.20);     // opposite corners of a box around all objects except the jug
 const vec3  HIGH = vec3(2.82, 1.43, 1.38);
-const vec3  JUG_LOW = vec3(-2.14, -0.02, -1.16); // except the jug, which has its own box
+const vec3  JUG_LOW = vec3(-2.14, -0.02, -1.16); // opposite corners of a box around the jug
 const vec3  JUG_HIGH = vec3(-0.64, 1.74, 0.16);
 const float HOLES = 0.24;                        // distance between holes of the ivory cube, scene units
 const float SILVER_RADIUS = 0.34;                // radius of the silver ball, scene units
 
-// A jug, turned about its axis: a belly and a neck, blended and hollow from above, and a handle.
+// A jug: a belly and a neck, round about an axis, blended and hollowed from above, and a handle.
 float jugDistance(vec3 p)
 {
     p -= vec3(-1.3, 0.62, -0.5);
@@ -36,7 +36,7 @@ float bowlDistance(vec3 p)
 }
 
 // A lemon: a ball with a smaller ball at each end, mirrored so that only one end is evaluated. x is
-// the ball, y the ends.
+// the distance to the ball, y that to the ends.
 vec2 lemonDistances(vec3 p)
 {
     p -= vec3(0.2, 0.93, -0.2);
@@ -44,7 +44,7 @@ vec2 lemonDistances(vec3 p)
     return vec2(sdSphere(p, 0.33), sdSphere(vec3(along, across, p.z), 0.07));
 }
 
-// A pear: x is its lower ball, y its upper ball.
+// A pear: x is the distance to its lower ball, y that to its upper ball.
 vec2 pearDistances(vec3 p)
 {
     p -= vec3(1.3, 0.42, 0.55);
@@ -68,7 +68,7 @@ float cube(vec3 p, float halfSide)
     return max(a.x, max(a.y, a.z)) - halfSide;
 }
 
-// An ivory cube minus an endlessly repeated ball.
+// An ivory cube minus a ball that is repeated endlessly.
 float ivoryDistance(vec3 p)
 {
     p -= vec3(2.3, 0.36, -0.05);
@@ -77,7 +77,7 @@ float ivoryDistance(vec3 p)
     return opSubtraction(cube(p, 0.36), sdSphere(q, 0.148));
 }
 
-// A piece of wax between a cube, x, and a ball, y.
+// A piece of wax between a cube and a ball: x is the distance to the cube, y that to the ball.
 vec2 waxDistances(vec3 p)
 {
     p -= vec3(0.45, 0.18, 1.1);

@@ -9,18 +9,18 @@
 #include "bounds.glsl"     // boxInterval, intervalUnion
 #include "repetition.glsl" // cellRandom
 
-const vec2  AHEAD = vec2(-0.9063, -0.4226); // the direction ahead, as north and east: 205 degrees
-const float CELLS = 0.08;                   // of the largest ridges, per scene unit,
-const vec2  SEED = vec2(31.2, 9.9);         //   shifted by this: other numbers give other mountains
-const float GAIN = 0.42;                    // each octave is lower by this factor
-const float LACUNARITY = 2.1;               //   and finer by this factor than the one before,
-const mat2  TURN = mat2(0.8, 0.6, -0.6, 0.8); // turned, so that no lattice is visible,
-const vec2  SHIFT = vec2(17.17, 29.73);     //   and shifted
-const float FOOT = 0.4;                     // height of the hills at which ridges begin, scene units;
-const float RIDGES = 3.6;                   //   they add at most this factor times the height above it
-const float HILL_SLOPE = 0.45;              // no hill is steeper than this,
-const float SHORE_SLOPE = 0.204;            //   and the shore no steeper than this;
-const float HIGHEST = 18.8;                 //   no land is higher: 4.4 + RIDGES (4.4 - FOOT), with hills up to 4.4
+const vec2  AHEAD = vec2(-0.9063, -0.4226); // the direction ahead (north, east): 205 degrees
+const float CELLS = 0.08;                   // cells of the noise of the largest ridges per scene unit
+const vec2  SEED = vec2(31.2, 9.9);         // offset of the noise: other numbers give other mountains
+const float GAIN = 0.42;                    // weight of an octave of ridges relative to the one before
+const float LACUNARITY = 2.1;               // how much finer an octave is than the one before
+const mat2  TURN = mat2(0.8, 0.6, -0.6, 0.8); // rotation from octave to octave, so that no lattice is visible
+const vec2  SHIFT = vec2(17.17, 29.73);     // offset from octave to octave
+const float FOOT = 0.4;                     // height of the hills at which ridges begin, scene units
+const float RIDGES = 3.6;                   // ridges add at most this factor times the height above FOOT
+const float HILL_SLOPE = 0.45;              // no hill is steeper than this
+const float SHORE_SLOPE = 0.204;            // the shore is no steeper than this
+const float HIGHEST = 18.8;                 // no land is higher: 4.4 + RIDGES (4.4 - FOOT), with hills up to 4.4
 
 uniform sampler2D turf;    // "turf.png" sRGB repeat: a meadow
 uniform sampler2D granite; // "granite.png" sRGB repeat: rock
@@ -52,7 +52,7 @@ vec2 fromValley(vec2 q)
     return q.x * vec2(-AHEAD.y, AHEAD.x) + q.y * AHEAD;
 }
 
-// The shore on which the eye is: a rounded cone.
+// The shore on which the eye is, a rounded cone: height (x), gradient (yz).
 vec3 shore(vec2 q)
 {
     vec2 r = q - vec2(-1.45, 0.5);
@@ -186,7 +186,7 @@ Water wavesAt(vec2 p, Footprint f, float wind)
 const vec3 CABIN = vec3(-0.50, 0.094, 0.74); // right, up, ahead
 const float CABIN_SIZE = 1.35;
 const vec3 BOAT = vec3(0.62, 0.0, 1.75);
-const float CELL = 0.175;                   // of the wood, scene units
+const float CELL = 0.175;                   // side of a cell of the wood, scene units
 const vec3 BOAT_REACH = vec3(0.04, 0.1, 0.02);
 const vec3 GROVE_LOW = vec3(-1.7, 0.0, 0.6), GROVE_HIGH = vec3(-0.2, 0.38, 1.75);
 
@@ -223,7 +223,7 @@ float pineDistance(vec3 p, float height)
 }
 
 // The pine of a cell: its position (x, y ahead), the height of its foot (z) and its own height (w),
-// which is 0 where none grows.
+// which is 0 if the cell has no pine.
 vec4 pineOf(vec2 cell)
 {
     float lot = cellRandom(ivec3(cell, 5)), other = fract(64.0 * lot);
@@ -270,8 +270,8 @@ float thingsDistance(vec3 p)
     return min(min(cabinDistance(local), pinesDistance(local)), boatDistance(local));
 }
 
-// The normal of an object near its surface, length 1: that of roof or wall, of a cone for a pine,
-// or of the sail.
+// The normal of an object near its surface, length 1: that of the roof or a wall, that of a cone
+// for a pine, or that of the sail.
 vec3 thingNormal(vec3 p)
 {
     vec3 local = localOf(p), q = atCabin(local);
@@ -283,7 +283,7 @@ vec3 thingNormal(vec3 p)
     return vec3(fromValley(n.xz), n.y).xzy;
 }
 
-// The colour of an object (xyz), and the share of lit window (w).
+// The colour of an object (xyz), and 1 in a lit window, otherwise 0 (w).
 vec4 thingColour(vec3 p, vec3 normal)
 {
     vec3 local = localOf(p), q = atCabin(local);
@@ -300,7 +300,8 @@ vec4 thingColour(vec3 p, vec3 normal)
 // ---- The mirrored world ----
 
 // The point where the water mirrors a ray, and the direction from there. Below the water lies the
-// mirrored world: a ray that goes straight on meets there the image of what the mirrored ray meets.
+// mirrored world: a ray that goes straight on meets there the image of whatever the mirrored ray
+// meets.
 struct Bend {
     bool  waves;     // false for level water, which is the same for every ray
     vec3  place;     // on the water
@@ -315,7 +316,7 @@ vec3 unmirrored(vec3 p)
     return p.y >= 0.0 ? p : (bend.waves ? bent : vec3(p.x, -p.y, p.z));
 }
 
-// March only to the objects, in their bounding boxes. Returns the t of the hit, or -1.
+// March only to the objects, in their bounding boxes. Returns the t of the hit, or -1 for a miss.
 //   water  where the ray meets the water
 float thingsAlong(Ray ray, float water, float tMax, float threshold, float spread)
 {

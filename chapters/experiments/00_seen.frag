@@ -1,5 +1,5 @@
-// Experiment of chapter 00: the chapter's own eye, scene and march in the form that chapter 01
-// introduces, so that the views can show its rays. Its picture is the chapter's.
+// Experiment of chapter 00: the chapter's eye, scene and march in the form that chapter 01
+// introduces, so that the views can show the rays. The picture is the same as the chapter's.
 #include "main.glsl"
 #include "march.glsl"
 #include "normal.glsl"

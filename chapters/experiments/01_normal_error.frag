@@ -1,11 +1,11 @@
 // Experiment of chapter 01: the error of the normal against the step of the differences, measured
-// by the GPU itself. Each column of pixels takes one step and 512 points of a unit ball, 10 units
-// from the origin, and shows the root mean square of their errors. Central differences are
+// by the GPU itself. Each column of pixels uses one step and 512 points of a unit ball, 10 units
+// from the origin, and shows the root mean square of the errors. Central differences are
 // yellow, forward differences blue.
 //
 // The horizontal axis is the step, from 1e-5 to 1; the vertical axis is the angle between the
 // computed and the true normal, from 1e-4 to 100 degrees. There is a line at each power of ten; the brighter ones
-// are at 0.001 and at 0.01 degrees.
+// are at a step of 0.001 and at an angle of 0.01 degrees.
 #include "main.glsl"
 #include "normal.glsl"     // normalAt
 #include "primitives.glsl" // sdSphere

@@ -1,6 +1,6 @@
 // Experiment of chapter 02: the highlight warning of a camera. Where at least a given number of
-// channels exceed the range of a screen, the picture is painted over in one flat colour. Compared
-// with the original picture, it shows how large a share is cut off.
+// channels exceed the range of a screen, the picture is painted over in one flat colour. A
+// comparison with the original picture shows how large a share of it is cut off.
 //
 // The macro turns the chapter's call to encodeSRGB into a call to warn; everything else is the
 // chapter's.

@@ -1,7 +1,7 @@
 // Experiment of chapter 03: a lamp that hangs between the objects on the stage, and a shadow ray
-// that does not stop at it. The report invites this by mixing a direction (section 1.5.2) with a
-// position (1.5.3). Objects behind the lamp cast a shadow, upside down. Set stopping to see it
-// corrected.
+// that does not stop at the lamp. The report invites this mistake by mixing a direction (section
+// 1.5.2) with a position (1.5.3). Objects behind the lamp cast a shadow, upside down. Set stopping
+// to correct the mistake.
 //
 // The chapter's own rayColour gets another name and is not used; everything else is the chapter's.
 #include "main.glsl"
@@ -12,7 +12,7 @@
 uniform bool stopping; // false: end the shadow ray at the lamp, where it should end
 
 const vec3  HUNG_LAMP = vec3(-0.3, 0.9, 0.6);
-const float HUNG_REFERENCE = 1.2; // distance at which its light is LAMP_COLOUR, scene units
+const float HUNG_REFERENCE = 1.2; // distance at which the hung lamp's light is LAMP_COLOUR, scene units
 
 // The lamp itself, drawn as a small disc that shows its position.
 //   far  where the ray ends

@@ -2,7 +2,7 @@
 // materials, here their hues, with the weight clamp(a - d, 0, 1).
 //
 //   numbers=true           mix the numbers: all hues between those of block and ball appear
-//   workshopWeight=true    use the workshop's weight, which is k / 6 where it should be 1 / 2
+//   workshopWeight=true    use the workshop's weight, which is blend / 6 where it should be 1 / 2
 //
 // Macros rename the chapter's own colourAt, which is used here for the other solids, and rayColour.
 #include "main.glsl"

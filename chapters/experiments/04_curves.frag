@@ -28,7 +28,7 @@ vec3 drawnColour(float hue)
     return rounded ? value * mix(vec3(1.0), smoothed, saturation) : hsvToRGB(hue, saturation, value);
 }
 
-// How much of a point is covered by a line of this width at this distance, both in pixels.
+// The share of a pixel that a line of this width covers at this distance, both in pixels.
 float line(float distance, float width)
 {
     return clamp(0.5 * width + 0.5 - abs(distance), 0.0, 1.0);

@@ -2,7 +2,7 @@
 // the intersection of two balls of radius 1.1, with the bound max(a, b). apart sets how sharp its
 // rim is.
 //
-// The file defines its own colourAt and rayColour, because the middle is different.
+// The file defines sceneDistance, colourAt and rayColour itself, because the middle is different.
 #include "main.glsl"
 #define sceneDistance wheelScene
 #define colourAt wheelColourAt

@@ -2,7 +2,7 @@
 // a ring made half as large, a ball squeezed to half its width by diag(2, 1, 1), a bent plank, and
 // a ball with bumps.
 //
-// With divided=true each distance is divided by its Lipschitz constant. With divided=false it is not, as in
+// With divided=true, each distance is divided by its Lipschitz constant. With divided=false, none is, as in
 // the formula that the report's section 2.2 states for every transformation.
 #include "main.glsl"
 #include "camera.glsl"     // perspectiveRay
@@ -22,7 +22,7 @@ const vec3  TO_SUN = vec3(0.50, 0.66, 0.56); // length 1 to three digits
 const float BEND = 1.3;   // radians per scene unit
 const float BUMP = 0.045; // height of a bump, scene units
 const float FINE = 14.0;  // radians per scene unit: how close together the bumps are
-const float NEAR = 1.0;   // radius around a bend's axis in which its bound is used, scene units
+const float NEAR = 1.0;   // radius of the ball in which the bound of the bend is used, scene units
 
 Ray pixelRay(vec2 screen)
 {

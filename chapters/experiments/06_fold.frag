@@ -1,6 +1,6 @@
 // Experiment of chapter 06: what a fold does to a plane. The letter is drawn with its distance,
-// which is taken at the folded point. The line is the mirror, and the arrow that starts on it is
-// its normal. The side to which the arrow points is kept.
+// evaluated at the folded point. The line is the mirror, and the arrow that starts on the line is
+// the normal. The side to which the arrow points is kept.
 #include "main.glsl"
 #include "symmetry.glsl" // opReflect
 #include "hue.glsl"      // hsvToRGB

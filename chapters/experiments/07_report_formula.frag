@@ -1,6 +1,6 @@
 // Experiment of chapter 07: the report's formula (section 2.2.3), mod(x - N / 2, N) + N / 2, for
 // the position in the cell. Its values lie between N / 2 and 3 N / 2 and are never 0, so rays never
-// hit a lantern at the centre of its cell, and its light is missing too.
+// hit a lantern at the centre of its cell, and the lantern's light is missing too.
 //
 // A macro replaces the chapter's calls of cellOf with calls of reportCellOf.
 #include "main.glsl"

@@ -1,6 +1,6 @@
 // Experiment of chapter 07: the index of the cell is rounded towards zero, as C's % and fmod round
-// a quotient. From -N / 2 on, this agrees with floor. Below that, every cell has the index of its
-// neighbour, so the position in the cell is off by a whole period, and its lantern is missing.
+// a quotient. For x >= -N / 2, the result is that of floor. Below that, every cell has the index of
+// its neighbour, so the position in the cell is off by a whole period, and the lantern is missing.
 //
 // A macro replaces the chapter's calls of cellOf with calls of truncatedCellOf.
 #include "main.glsl"

@@ -33,7 +33,8 @@ float drawnDistance(vec2 q)
 }
 
 // The share of a pixel that a line covers.
-//   distance  from the middle of the line, and width: both in pixels
+//   distance  from the middle of the line, pixels
+//   width     of the line, pixels
 float line(float distance, float width)
 {
     return clamp(0.5 * width + 0.5 - abs(distance), 0.0, 1.0);

@@ -16,15 +16,15 @@ uniform int   maxSteps;     // 160 in [1, 512]: steps after which a ray is aband
 uniform float hitThreshold; // 0.001 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
 const float FAR = 24.0;
-const vec3  LAMP = vec3(-9.2, 4.9, 6.9);              // position of the lamp, and its light, linear RGB,
-const vec3  LAMP_COLOUR = vec3(1.30, 1.15, 0.93);     //   at the distance
-const float REFERENCE = 11.2;                         //   REFERENCE
-const vec3  FILL_COLOUR = vec3(0.10, 0.13, 0.20);     // from the other side, bluish
+const vec3  LAMP = vec3(-9.2, 4.9, 6.9);              // position of the lamp
+const vec3  LAMP_COLOUR = vec3(1.30, 1.15, 0.93);     // light of the lamp at the distance REFERENCE, linear RGB
+const float REFERENCE = 11.2;                         // scene units
+const vec3  FILL_COLOUR = vec3(0.10, 0.13, 0.20);     // bluish light from the other side
 const vec3  PAPER = vec3(0.84, 0.79, 0.70);
 const vec3  STONE = vec3(0.74, 0.72, 0.68);
 const vec3  CLAY = vec3(0.60, 0.14, 0.035);
 const vec3  INK = vec3(0.012, 0.018, 0.045);
-const vec3  VASE = vec3(-1.2, 0.0, -0.25);            // its position
+const vec3  VASE = vec3(-1.2, 0.0, -0.25);            // position of the vase
 const Pose  ROSE = Pose(vec3(1.32, 0.95, -0.50),      // turned by -36 degrees about y, towards the lamp
                         mat3(0.8090170, 0.0, 0.5877853, 0.0, 1.0, 0.0, -0.5877853, 0.0, 0.8090170));
 
@@ -35,8 +35,8 @@ Ray pixelRay(vec2 screen)
 
 // ---- Figures of the plane ----
 
-// A rose window: a disc with eight lights and eight eyes cut out. It is symmetric in eight mirrors.
-// After folding in them, only one light and one eye remain.
+// A rose window: a disc with eight lights and eight eyes cut out. It is symmetric about eight
+// mirrors. After the folds along these mirrors, only one light and one eye remain.
 float roseFigure(vec2 q)
 {
     q = abs(q);

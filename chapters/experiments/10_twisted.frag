@@ -16,7 +16,7 @@ uniform int   maxSteps;     // 400 in [1, 1024]: steps after which a ray is aban
 uniform float hitThreshold; // 0.0002 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
 const float HEIGHT = 2.0;
-const float REACH = 0.62; // no point of the figure is farther from its centre
+const float REACH = 0.62; // no point of the figure is farther than this from its centre, scene units
 const vec3  TO_LAMP = vec3(-0.66, 0.50, 0.56);
 
 Ray pixelRay(vec2 screen)

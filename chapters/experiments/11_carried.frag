@@ -1,6 +1,6 @@
-// Experiment of chapter 11: the number of the material is carried through the march beside the
-// distance, in a vec2, as in the workshop. Where two materials blend, the share is carried too, as
-// the fractional part of the number. The picture is the same as the chapter's; compare the cost.
+// Experiment of chapter 11: the number of the material is carried through the march together with
+// the distance, in a vec2, as in the workshop. Where two materials blend, the share is carried too,
+// as the fractional part of the number. The picture is the same as the chapter's; compare the cost.
 //
 // The chapter's own rayColour is renamed.
 #include "main.glsl"

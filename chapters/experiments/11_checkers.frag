@@ -1,11 +1,11 @@
 // Experiment of chapter 11: an endless plane of squares under two balls, averaged over the area
 // that a pixel covers.
 //
-//   way=0  evaluated only at the centre of the pixel
+//   way=0  the pattern is evaluated only at the centre of the pixel
 //   way=1  the chapter's method: the footprint from the ray, the normal and t
 //   way=2  the workshop's method: the footprint from fwidth, the difference of neighbouring pixels.
-//          Where one of them shows a ball and the other the plane, it is undefined and wrong, as the
-//          outlines show
+//          Where one of two neighbours shows a ball and the other the plane, the footprint is
+//          undefined and wrong, as the outlines show
 //
 // This is the only shader of the course that uses derivatives across pixels.
 #include "main.glsl"

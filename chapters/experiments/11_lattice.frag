@@ -1,9 +1,9 @@
 // Experiment of chapter 11: an endlessly repeated ball, and a box. This is the scene of the
 // workshop's section on repetition, with its two mistakes.
 //
-//   shifted=true  its repeat(), mod(x, period) - period / 2: the balls are shifted by half a period
-//                 from the centre of the box, and its faces cut them
-//   cut=0         max(box, balls), which it calls a subtraction, is the intersection
+//   shifted=true  the workshop's repeat(), mod(x, period) - period / 2: the balls are shifted by
+//                 half a period from the centre of the box, and the faces of the box cut them
+//   cut=0         max(box, balls), which the workshop calls a subtraction, is the intersection
 //   cut=1         max(box, -balls): the box minus the balls
 #include "main.glsl"
 #include "cone.glsl"

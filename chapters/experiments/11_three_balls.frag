@@ -1,9 +1,10 @@
 // Experiment of chapter 11: the workshop's three balls, melted into each other, with three ways to
-// mix their materials. Their numbers are the workshop's: 2 on the left, 5 on the right, 0.1 above.
+// mix their materials. The numbers of the balls are the workshop's: 2 on the left, 5 on the right,
+// 0.1 above.
 //
 //   way=0  records, mixed in the shares of the smooth union
-//   way=1  the workshop's numbers, mixed with the weight clamp(a - d, 0, 1), which is k / 6 where
-//          it should be 1 / 2, and multiplied into a colour
+//   way=1  the workshop's numbers, mixed with the weight clamp(a - d, 0, 1), which is blend / 6
+//          where it should be 1 / 2, and multiplied into a colour
 //   way=2  numbers, mixed in the right shares, then looked up in a table: between 2 and 5 are 3 and
 //          4, which are other materials
 #include "main.glsl"
@@ -66,7 +67,7 @@ float numberAt(vec3 ball)
     return opBlend(lower, vec2(ball.z, 0.1), weightOf(lower.x, ball.z)).y;
 }
 
-// Six materials in a row; the balls have 2, 5 and 0.
+// Six materials in a row, with the numbers 0 to 5. The numbers of the balls are 2, 5 and 0.
 Material tableAt(float number)
 {
     int n = int(floor(number + 0.5));

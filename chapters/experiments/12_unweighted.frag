@@ -1,6 +1,6 @@
-// Experiment of chapter 12: the workshop's three planes. It weights the three pictures with
-// |normal|, whose components add up to 1 where a surface faces along an axis and to 1.73 where it
-// faces along a diagonal. Set divided to correct it.
+// Experiment of chapter 12: the workshop's three planes. Their pictures are weighted with |normal|,
+// whose components add up to 1 where a surface faces along an axis and to 1.73 where it faces along
+// a diagonal. Set divided to correct the weights.
 //
 // The library is included first, so that the macro replaces only the chapter's call.
 #include "main.glsl"

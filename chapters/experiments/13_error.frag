@@ -8,7 +8,7 @@
 #include "13_soft_shadows.frag"
 #undef rayColour
 
-const vec3 DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02); // for large errors
+const vec3 DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02); // colours of large errors
 
 vec3 rayColour(Ray ray)
 {

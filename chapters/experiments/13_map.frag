@@ -36,7 +36,7 @@ float sceneDistance(vec3 p)
 
 // The visible share of the lamp at a point of the floor: beside one edge, beside a ball, or on both
 // sides of a bar with two edges.
-//   x  from the edge, or from the centre, scene units
+//   x  distance from the edge, or from the centre, scene units
 float truth(float x)
 {
     vec3 p = vec3(x, 0.0, 0.0), along = vec3(0.0, 0.0, 1.0);
@@ -51,7 +51,7 @@ float truth(float x)
 
 vec3 rayColour(Ray ray)
 {
-    float column = (ray.origin.x + 16.0 / 9.0) * 27.0 / 32.0, row = 1.5 * (1.0 - ray.origin.y); // 3 each
+    float column = (ray.origin.x + 16.0 / 9.0) * 27.0 / 32.0, row = 1.5 * (1.0 - ray.origin.y); // 3 columns, 3 rows
     thing = clamp(int(column), 0, 2);
     height = 0.3 + 2.7 * (1.0 - fract(row));
     float x = 1.15 * (fract(column) - 0.5);

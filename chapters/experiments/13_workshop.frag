@@ -1,7 +1,7 @@
 // Experiment of chapter 13: soft shadows as in the workshop's listing. It draws one random number per
 // pixel, not one per ray, so that all its rays are the same; it shifts the ray only along the
 // diagonal (1, 1, 1); it does not normalise the direction; and it darkens all the light. Each of
-// these can be mended.
+// these mistakes can be mended.
 //
 // The workshop's number comes from a sine, which differs from driver to driver. Here it comes from
 // pixelRandom.

@@ -14,7 +14,7 @@ uniform float reach;    // 1 in [0.1, 10] step *1.2, scene units: height of the 
 uniform float strength; // 1 in [0, 2] step 0.05: how much a tap darkens
 
 const float HALF_GROOVE = 0.6, BAR = 0.05;   // half the groove's width, the bar's radius, scene units
-const vec2  MARGIN = vec2(0.24, 0.26), FIELD = (vec2(32.0 / 9.0, 2.0) - MARGIN) / vec2(4.0, 3.0); // of the screen
+const vec2  MARGIN = vec2(0.24, 0.26), FIELD = (vec2(32.0 / 9.0, 2.0) - MARGIN) / vec2(4.0, 3.0); // sizes on the screen
 const vec3  UP = vec3(0.0, 1.0, 0.0);
 const vec3  INK = vec3(0.05, 0.06, 0.08);
 const vec3  DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02);
@@ -62,7 +62,7 @@ float lettersDistance(vec2 q, int row)
 
 vec3 rayColour(Ray ray)
 {
-    vec2 corner = vec2(ray.origin.x + 16.0 / 9.0, 1.0 - ray.origin.y) - MARGIN; // from that of the upper left field
+    vec2 corner = vec2(ray.origin.x + 16.0 / 9.0, 1.0 - ray.origin.y) - MARGIN; // relative to the upper left field
     float column = corner.x / FIELD.x, row = corner.y / FIELD.y; // 4 columns and 3 rows
     float along = fract(column), grown = 1.0 - fract(row);
     thing = clamp(int(column), 0, 3);

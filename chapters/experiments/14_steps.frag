@@ -1,5 +1,5 @@
-// Experiment of chapter 14: the workshop's occlusion, 1 - steps / most. In its code both are
-// integers, so that the quotient is 0 except for rays that use up all their steps.
+// Experiment of chapter 14: the workshop's occlusion, 1 - steps / most. In the workshop's code,
+// both numbers are integers, so the quotient is 0 except for rays that use up all their steps.
 //
 // The chapter's own rayColour is renamed; everything else is the chapter's.
 #include "main.glsl"

@@ -93,7 +93,8 @@ Spot spotAt(Ray ray, float t)
     return Spot(p, normalAt(p, radius), colour, wax ? WAX_DEPTH : (leaf ? LEAF_DEPTH : vec3(0.0)), radius);
 }
 
-// The path inside towards a lamp, or an estimate of it from five distances below the surface.
+// The path inside wax or leaf towards a lamp, or an estimate of it from five distances below the
+// surface.
 float wayInside(Spot spot, vec3 toLamp, float far)
 {
     float sum = 0.0;
@@ -103,7 +104,7 @@ float wayInside(Spot spot, vec3 toLamp, float far)
     return inside == 1 ? sum : thicknessAlong(Ray(below, toLamp), far, 0.0005, 64);
 }
 
-// The light of one flame at a spot, reflected and transmitted. It casts no shadows.
+// The light of one flame at a spot, reflected and transmitted. The flame casts no shadows.
 vec3 flameLight(Spot spot, vec3 flame)
 {
     float far = length(flame - spot.p);

@@ -1,7 +1,8 @@
 // Experiment of chapter 16: bounding volumes inside the distance. Far from a box the distance to
 // the box is enough, and its contents need not be evaluated: there is an if for each group.
 //
-// The picture is the same. Whether it is faster depends on the machine: build/tests/measure speed.
+// The picture is the same. Whether it is drawn faster depends on the machine; to measure this, run
+// build/tests/measure speed.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "16_fewer_steps.frag"

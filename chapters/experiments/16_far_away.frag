@@ -19,7 +19,7 @@ uniform int   maxSteps;     // 256 in [1, 1024]: steps after which a ray is aban
 const float FAR = 30.0;
 const vec3  TO_SUN = vec3(-0.48, 0.72, 0.5);
 
-// Where the harp is, in the coordinates of the march.
+// The position of the harp in the coordinates of the march.
 vec3 place()
 {
     return mended ? vec3(0.0) : vec3(away, 0.0, away);
@@ -50,7 +50,7 @@ float floorDistance(vec3 p)
     return sdBox(p - vec3(0.0, -0.1, 0.0), vec3(1.6, 0.1, 1.2)) - 0.02;
 }
 
-// A ball of paper, hollow.
+// A hollow ball of paper.
 float ballDistance(vec3 p)
 {
     return abs(sdSphere(p - vec3(0.95, 0.32, 0.7), 0.3)) - 0.0001;

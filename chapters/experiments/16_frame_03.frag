@@ -3,7 +3,7 @@
 // groups of objects on the stage; normal and shadow share one loop.
 //
 // The colours are those of chapter 03. On a machine that runs in lockstep, a loop takes at least
-// one turn for every pixel, so one loop less is one evaluation less.
+// one turn for every pixel, so one loop fewer saves one evaluation.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #define rayColour chapterRayColour

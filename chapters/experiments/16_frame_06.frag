@@ -1,8 +1,8 @@
 // Experiment of chapter 16: a frame of chapter 06 in less time. Where a ray cannot meet the
-// pyramid, only the slab is evaluated; normals and shadows of both are computed only where there
-// can be any.
+// pyramid, only the slab is evaluated. The normal comes from both distances only if the ray has
+// ended where both were evaluated, and shadow rays evaluate only the pyramid.
 //
-// Each march takes the same steps as in chapter 06, so each ray ends where it ends there. The
+// Each march takes the same steps as in chapter 06, so each ray ends at the same point. The
 // coarse pass is not used, because it gains nothing in this scene.
 #include "main.glsl"
 #define sceneDistance chapterDistance
@@ -37,7 +37,7 @@ vec2 inSlab(Ray ray)
 // pyramid and the slab, and after that only the distance to the slab.
 struct End {
     float t;
-    bool met, near; // hit anything; hit it where both were evaluated
+    bool met, near; // whether the ray hit something; whether it did so where both were evaluated
 };
 
 End endOf(Ray ray, float spread)
@@ -70,7 +70,8 @@ End endOf(Ray ray, float spread)
     return End(t, met, near);
 }
 
-// The pyramid is well inside the slab's outline, so near it the distance to the slab is the height.
+// The normal from both distances. The pyramid is well inside the slab's outline, so near it the
+// distance to the slab is the height.
 //   asked  false to leave the loop at once
 vec3 bothNormal(vec3 p, float h, bool asked)
 {
@@ -83,8 +84,8 @@ vec3 bothNormal(vec3 p, float h, bool asked)
     return normalize(gradient);
 }
 
-// The normal points upwards, and near an edge a little to the side, about as it does with
-// differences of the step h.
+// The normal of the slab. It points upwards, and near an edge a little to the side, about as the
+// normal from differences with the step h does.
 vec3 slabNormal(vec3 p, float h)
 {
     vec3 q = p - SLAB, reach = max(abs(q) - SLAB_HALF + h, 0.0);

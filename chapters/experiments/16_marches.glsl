@@ -1,5 +1,5 @@
 // Eight marches, one of which replaces the first march of a chapter. A file that includes this one before the
-// chapter chooses it with, for example, #define MARCH ENHANCED. All other marches of the pixel find nothing and
+// chapter chooses the march with, for example, #define MARCH ENHANCED. All other marches of the pixel find nothing and
 // cost nothing.
 //
 // All but CONE and TIGHT end where the distance is less than the chapter's threshold, and ignore the growth of
@@ -49,8 +49,8 @@ Hit marchEnded(bool found, float t, float tMax, int steps)
 // In the formulas, d is the distance at t, and the march begins with t = tMin.
 
 // RELAXED: over-relaxation.
-//   formula  t + omega d, 1 <= omega < 2. If the balls around the two points do not touch, it goes back to the end
-//            of the first, and omega = 1 from then on
+//   formula  t + omega d, 1 <= omega < 2. If the balls around the two points do not touch, the march goes back to
+//            the end of the first ball, and omega = 1 from then on
 //   bound    at most n + 1 evaluations where the plain march takes n, for a 1-Lipschitz distance
 //   safe     for all lower bounds. The balls of marchRelaxed have to overlap; these may just touch
 // Source: B. Keinert and others, 'Enhanced sphere tracing', STAG 2014.
@@ -78,8 +78,8 @@ Hit marchKeinert(Ray ray, float tMin, float tMax, float threshold, float omega, 
 // ENHANCED: the step that would be right if the surface were a plane.
 //   formula  the last two points that counted give the slope s = (d' - d) / (t - t'). The balls around t and the
 //            next point touch, if the slope remains, after d + d (1 - s) / (1 + s); the second term is
-//            multiplied by omega, 0 <= omega <= 1. It goes back, as RELAXED does, if they do not touch, but
-//            the next step is relaxed again
+//            multiplied by omega, 0 <= omega <= 1. The march goes back, as RELAXED does, if the balls do not touch,
+//            but the next step is relaxed again
 //   bound    at most 2 n - 2 evaluations where the plain march takes n >= 2, for a 1-Lipschitz distance
 //   safe     for all lower bounds
 // Source: C. Balint, G. Valasek, 'Accelerating sphere tracing', Eurographics 2018. The clamp of s is ours: at
@@ -109,9 +109,9 @@ Hit marchEnhanced(Ray ray, float tMin, float tMax, float threshold, float omega,
 }
 
 // SEGMENT: a bound of the slope on a segment of the ray instead of everywhere.
-//   formula  s = fallAlong on the next segment, of length h: then nothing lies before t + d / s on it. The step is
-//            min(d / s, h), and the next segment is twice as long as the step
-//   bound    where s = 1, it is the plain march. Each step also computes s, which costs about as much as d
+//   formula  s = fallAlong on the next segment, of length h: no surface lies on this segment before t + d / s. The
+//            step is min(d / s, h), and the next segment is twice as long as the step
+//   bound    where s = 1, the march is plain. Each step also computes s, which costs about as much as d
 //   safe     if s is a bound; where the distance is convex along the ray, as in front of one convex body,
 //            -d'(t) at the start is one
 // Source: E. Galin, E. Guerin, A. Paris, A. Peytavie, 'Segment tracing using local Lipschitz bounds', Eurographics
@@ -142,7 +142,7 @@ Hit marchSegment(Ray ray, float tMin, float tMax, float threshold, int maxSteps)
 //   formula  t + omega d, until d < 0; then halve the interval from the last point outside to this one
 //   bound    none on what it misses: a body thinner than (omega - 1) d may be stepped over
 //   safe     never, for omega > 1
-// Older than sphere tracing; any fixed-step march with bisection is of this kind.
+// The method is older than sphere tracing; any fixed-step march with bisection is of this kind.
 Hit marchOverstep(Ray ray, float tMin, float tMax, float threshold, float omega, int maxSteps)
 {
     traceBegin(tMin, tMax);
@@ -165,9 +165,9 @@ Hit marchOverstep(Ray ray, float tMin, float tMax, float threshold, float omega,
     return marchEnded(found, t, tMax, steps);
 }
 
-// TIGHT: march with a threshold near the least that floats allow, to find the true hit. At a grazing angle it ends far
-// in front of the surface, so it then goes on to where the ray is inside, or leaves the surface again: nothing that
-// ends there or before it has missed the surface.
+// TIGHT: march with a threshold near the least that floats allow, to find the true hit. At a grazing angle, this march
+// ends far in front of the surface, so it then continues until the ray is inside or leaves the surface again. Another
+// march that ends there or earlier has not missed the surface.
 Hit marchTight(Ray ray, float tMin, float tMax)
 {
     Hit hit = marchCone(ray, tMin, tMax, 1e-5, 1e-6, MARCH_STEPS);
@@ -218,7 +218,7 @@ Hit firstMarch(Ray ray, float tMin, float tMax, float threshold)
     return hit;
 }
 
-// The colours of chapter 16.
+// A number of evaluations as a colour of chapter 16.
 vec3 marchCountColour(int count)
 {
     const vec3 colours[5] = vec3[5](vec3(0.05, 0.04, 0.15), vec3(0.24, 0.16, 0.43), vec3(0.62, 0.27, 0.46),
@@ -228,7 +228,8 @@ vec3 marchCountColour(int count)
     return mix(colours[i], colours[i + 1], x - float(i));
 }
 
-// The picture of a file of this kind: evaluations from night blue to straw, 64 or more; or three numbers in [0, 1].
+// The colour of a pixel: the number of evaluations from night blue to straw, for 64 or more; or three numbers in
+// [0, 1].
 vec3 marchColour()
 {
     int end = hitOfMarch.found ? END_HIT : (hitOfMarch.t >= trace.interval.y ? END_PASSED : END_STEPS);

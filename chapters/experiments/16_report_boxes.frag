@@ -29,9 +29,9 @@ const vec3  SLAB_HALF = vec3(1.5, 0.1, 1.5);
 const float MARGIN = 0.01;                         // by which the bounds are larger than their contents
 
 const vec3  TO_SUN = vec3(0.28606, 0.90525, -0.31503); // length 1
-const vec3  SUN_COLOUR = vec3(1.12, 0.96, 0.76);   // its light on a surface that faces it, linear RGB
+const vec3  SUN_COLOUR = vec3(1.12, 0.96, 0.76);   // light of the sun on a surface that faces it, linear RGB
 const vec3  SKY_LIGHT = vec3(0.07, 0.14, 0.17);    // ambient light on a surface that faces the sun
-const vec3  SLAB_LIGHT = vec3(0.015, 0.022, 0.03); // and on a surface that faces away from it
+const vec3  SLAB_LIGHT = vec3(0.015, 0.022, 0.03); // ambient light on a surface that faces away from the sun
 const vec3  OBJECT_COLOUR = vec3(0.86, 0.83, 0.78);
 const vec3  SLAB_COLOUR = vec3(0.26, 0.27, 0.28);
 const float STRAIGHT = 0.14;                       // share of the light that the slab reflects at normal incidence
@@ -41,7 +41,7 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// Frame and balls; the slab is not part of the distance.
+// The distance to the frame and the balls; the slab is not part of it.
 float sceneDistance(vec3 p)
 {
     float column = sdSphere(vec3(p.x, opRepeatLimited(p.y, 1.0, 0.0, LAST), p.z), BALL);

@@ -19,30 +19,30 @@ uniform bool parks;   // true: the distance takes into account where there are n
 
 // Lengths as measured in the figure; a scene unit is about a metre. As in chapter 09, x is north
 // and z east.
-const float PLOT = 5.0;                            // from the centre of a tower to the next
-const float BLOCK = 25.0;                          // from road to road: four plots and the road
+const float PLOT = 5.0;                            // distance from the centre of a tower to the next
+const float BLOCK = 25.0;                          // distance from road to road: four plots and the road
 const float ROAD = 2.5;                            // half the width of a road
 const float FLOOR = 1.7;                           // height of a floor; a tower is 2 wide
 const float HIGHEST = 20.0 * FLOOR;                // no roof is higher
-const vec2  PANE = vec2(0.84, 0.69);               // half a window's pane, along the wall and up
+const vec2  PANE = vec2(0.84, 0.69);               // half the size of a window's pane, along the wall and up
 const float RECESS = 0.12;                         // how far the pane lies behind the wall
 const vec3  POST = vec3(-2.7, 0.0, 6.3);           // foot of the lamp
-const vec3  GLOBE = vec3(0.0, 2.95, 0.0);          // centre of its globe, from the foot
+const vec3  GLOBE = vec3(0.0, 2.95, 0.0);          // centre of the lamp's globe, relative to the foot
 const float GLOBE_RADIUS = 0.42;
 const float TAPER = 0.48;                          // slope of the post's foot
 const float CITY_FAR = 110.0;                      // a ray that has travelled this far meets the sky
 const float SHADOW = 40.0;                         // length of a shadow ray
 const float NEAR = 0.001;                          // the distance that counts as a hit, for the ray from the eye
-const int   STEPS = 400;                           // after which a ray is abandoned
+const int   STEPS = 400;                           // steps after which a ray is abandoned
 
 // A point on its plot.
 struct Plot {
     vec2  local;  // from the centre of the plot: x and z
-    vec2  aside;  // likewise, perpendicular to the nearest wall and along it, each >= 0
-    float floors; // of the tower; 0 on a road or in a park, where there is none
+    vec2  aside;  // the same, perpendicular to the nearest wall and along it, each >= 0
+    float floors; // number of floors of the tower; 0 on a road or in a park
 };
 
-// Every second row of blocks is a park.
+// The plot of a point. Every second row of blocks is a park.
 Plot plotAt(vec3 p)
 {
     vec2 cell = vec2(cellOf(p.x, PLOT), cellOf(p.z, PLOT)), local = p.xz - PLOT * cell, aside = abs(local);
@@ -94,9 +94,9 @@ vec3 postNormal(vec3 q)
 // Where a ray ends, and how that point appears in the pixel.
 struct Spot {
     vec3  p, normal;
-    float t, width;           // of p along the ray; width of the pixel there, scene units
+    float t, width;           // distance to p along the ray; width of the pixel at p, scene units
     float facing;             // cosine of the angle between normal and ray, at least 0.03
-    bool  met, ground, post;  // a tower if met and neither of the others
+    bool  met, ground, post;  // on a tower if met and neither ground nor post
 };
 
 // The end of a ray: there are objects only between the ground and the highest roof.
@@ -114,7 +114,7 @@ float coarseMargin(float t)
 }
 
 //   start  length of the path to the ray's origin
-//   clear  up to where the ray is known to be free
+//   clear  t up to which the ray is known to be free
 Spot spotAlong(Ray ray, float start, float clear)
 {
     float spread = footprint * pixelSpread(), end = cityEnd(ray, CITY_FAR);
@@ -138,7 +138,7 @@ Spot spotAlong(Ray ray, float start, float clear)
 // ---- Light ----
 
 // The share of a pixel that lies within the windows of a wall.
-//   at  on the wall: along it from its centre, and upwards
+//   at  position on the wall: along the wall from its centre, and upwards
 float openingAt(vec2 at, Spot spot)
 {
     vec2 inside = PANE - abs(vec2(at.x, mod(at.y, FLOOR) - 0.5 * FLOOR));

@@ -1,8 +1,8 @@
 // The report's figure 10, redrawn: Sierpinski's pyramid in a parallel view, with its light and its
 // shadow.
 //
-// The pyramid stands on an edge, as in its formula; its corners are (1, 1, 1), (1, -1, -1),
-// (-1, 1, -1) and (-1, -1, 1).
+// The pyramid stands on an edge, as in the formula of its distance; its corners are (1, 1, 1),
+// (1, -1, -1), (-1, 1, -1) and (-1, -1, 1).
 #include "main.glsl"         // main(): calls pixelRay, then rayColour
 #include "orthographic.glsl" // orthographicRay
 #include "cone.glsl"         // march, coneReaching
@@ -17,12 +17,12 @@ uniform float footprint;    // 1 in [0, 4] step 0.25, half pixels: smaller dista
 uniform int   maxSteps;     // 128 in [1, 1024]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
-const float HALF_HEIGHT = 1.567;                  // of the picture, in halves of the cube around the pyramid
+const float HALF_HEIGHT = 1.567;                  // half the picture's height; half the cube's side is 1
 const float FAR = 8.0;                            // a ray that has travelled this far meets the sky
 const float MARGIN = 0.02;                        // by which the bound is larger than the pyramid
 const vec3  TO_SUN = vec3(0.447, 0.866, -0.224);  // length 1
 const float SUN_SPREAD = 0.03;                    // tangent of the angular radius of the sun's disc
-const vec3  SUN_COLOUR = vec3(1.35, 1.02, 0.70);  // its light on a surface that faces it, linear RGB
+const vec3  SUN_COLOUR = vec3(1.35, 1.02, 0.70);  // light of the sun on a surface that faces it, linear RGB
 const vec3  SKY_COLOUR = vec3(0.09, 0.20, 0.26);  // light from above
 const vec3  EARTH_COLOUR = vec3(0.01, 0.03, 0.06); // light from below
 const vec3  STONE = vec3(0.80, 0.78, 0.75);
@@ -43,8 +43,8 @@ vec2 pyramidInterval(Ray ray)
     return clipped ? tetrahedronInterval(ray, 1.0 + 1.7320508 * MARGIN) : vec2(0.0, FAR);
 }
 
-// How open a point is to the sky, at most 1: each of the first levels darkens it in proportion to
-// its depth in the tetrahedron, as in chapter 06.
+// How open a point is to the sky, at most 1: each of the first four levels darkens the point in
+// proportion to the depth of the point in the tetrahedron, as in chapter 06.
 float openness(vec3 p)
 {
     vec3 q = p - 1.0;

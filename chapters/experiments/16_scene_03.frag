@@ -2,8 +2,8 @@
 // a shadow ray ignores the stage.
 //
 // No point of the stage lies between another point of the scene and the lamp, because all objects
-// are on it and the lamp is higher. So the stage can be left out of the distance for shadow rays,
-// which need not climb away from it in small steps.
+// are on the stage and the lamp is higher. So the stage can be left out of the distance for shadow
+// rays, which then need not climb away from it in small steps.
 #include "main.glsl"
 #include "16_means.glsl"
 

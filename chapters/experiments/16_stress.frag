@@ -49,7 +49,7 @@ float sceneDistance(vec3 p)
     return nearest;
 }
 
-// How fast the distance to a box falls at p: the box is convex, so along the ray it never falls faster later.
+// How fast the distance to a box falls at p. The box is convex, so the distance never falls faster later on the ray.
 float boxFall(vec3 p, vec3 v, vec3 halfSize)
 {
     vec3 beyond = abs(p) - halfSize, out3 = max(beyond, 0.0);

@@ -1,8 +1,8 @@
 // Experiment of chapter 17: a rainbow, from the paths through one drop. The sun is behind the eye.
 //
-// A ray that meets a drop at the distance b from its axis, in radii, is reflected once or twice
-// inside and leaves at an angle to the sun's rays. Rings of b send their light to rings of the sky,
-// and where the angle has its limit, the light is concentrated.
+// A ray that meets a drop at the distance b from the drop's axis, in radii, is reflected once or
+// twice inside and leaves at an angle to the sun's rays. Rings of b send their light to rings of
+// the sky, and where the angle reaches its limit, the light is concentrated.
 #include "main.glsl"
 #include "camera.glsl"
 #include "coverage.glsl"
@@ -34,7 +34,8 @@ vec2 turned(vec2 a, vec2 b)
     return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
 
-// a minus b, radians, both from 0 to half a turn; at least 1, or at most -1, beyond a quarter turn.
+// The sine of a minus b, which is about the difference in radians if that is small, and 1 or -1
+// beyond a quarter turn. Both angles are from 0 to half a turn.
 float apart(vec2 a, vec2 b)
 {
     vec2 difference = turned(a, vec2(b.x, -b.y));

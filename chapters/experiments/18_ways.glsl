@@ -15,9 +15,9 @@ vec3 halfColour(sampler2D table, vec3 direction, vec3 sun, float level)
     return tableLight(table, place, y * sun.y + level * sqrt(max(flat2, 0.0)), skyScale(sun.y, place.y));
 }
 
-// The share of the first table by the article's text: from 1 to 0, linear in the horizontal angle
-// to the sun. At the zenith there is no such angle; there the share is 1 here, and undefined in the
-// article, because GLSL leaves atan(0, 0) undefined.
+// The share of the first table according to the article's text: from 1 to 0, linear in the horizontal
+// angle to the sun. At the zenith there is no such angle; there the share is 1 here, and undefined in
+// the article, because GLSL leaves atan(0, 0) undefined.
 float shareByAngle(vec3 direction, vec3 sun)
 {
     vec2 a = direction.xz, b = sun.xz;

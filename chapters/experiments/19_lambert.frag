@@ -1,4 +1,4 @@
-// Experiment of chapter 19: the moon as a matt ball, by Lambert's law.
+// Experiment of chapter 19: the moon as a matt ball that obeys Lambert's law.
 #include "main.glsl"
 #include "night.glsl"
 

@@ -17,7 +17,8 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// The ages 1.5, 4.45, 7.4 and so on, from left to right, then in the lower row.
+// The ages are 1.5, 4.45, 7.4 days and so on, from left to right in the upper row, then in the
+// lower.
 vec3 rayColour(Ray ray)
 {
     vec2 cell = vec2(ray.origin.x / 0.71, ray.origin.y < 0.0 ? 1.0 : 0.0);

@@ -16,8 +16,8 @@ uniform bool  shaded;    // true: one ray to the sun from each point
 
 const float FOOT = 1.2, TOP = 2.6; // altitudes of the layer, km
 
-// The optical depth of one kilometre at a point above the eye.
-//   level  of the noise
+// The optical depth of one kilometre at a point p, relative to the eye.
+//   level  level of detail at which the noise is read
 float vapour(vec3 p, float level)
 {
     float altitude = p.y + dot(p.xz, p.xz) / (2.0 * EARTH_RADIUS), height = (altitude - FOOT) / (TOP - FOOT);
@@ -30,8 +30,8 @@ float vapour(vec3 p, float level)
     return thickness * within * clamp(7.0 * inside, 0.0, 1.0);
 }
 
-// The light of the layer along a ray (rgb), including its cover, and the share of the background
-// that remains visible (a).
+// The light of the layer along a ray, weighted with its cover (rgb), and the share of the
+// background that remains visible (a).
 vec4 marchedLayer(vec3 direction, Lights lights, float width)
 {
     float near = layerHit(0.0, direction.y, FOOT), far = min(layerHit(0.0, direction.y, TOP), 80.0);

@@ -1,6 +1,6 @@
-// Experiment of chapter 20: the contents of the panoramas. On the left the cover of the clouds, in
-// the middle the light that reaches them from above, on the right the light from the right minus
-// that from the left, with grey for 0.
+// Experiment of chapter 20: the contents of the panoramas. The left third shows the cover of the
+// clouds, the middle third the light that reaches them from above, and the right third the light
+// from the right minus that from the left, with grey for 0.
 
 #include "main.glsl"
 #define rayColour chapterColour

@@ -32,7 +32,7 @@ bool onList(int id, Cell cell)
     return found;
 }
 
-// How much of an edge of the cell is at p, a point of its surface.
+// How strongly an edge of the cell is drawn at p, a point of the cell's surface, from 0 to 1.
 //   width  of the line, scene units
 float edgeAt(vec3 p, Cell cell, float width)
 {

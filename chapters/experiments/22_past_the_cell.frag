@@ -8,7 +8,7 @@
 float sceneDistance(vec3 p)
 {
     float distance = chapterDistance(p);
-    float farther = here.count > 0 ? 50.0 : 0.0; // its faces are out of reach
+    float farther = here.count > 0 ? 50.0 : 0.0; // the faces of the cell are out of reach
     here.low -= farther;
     here.size += 2.0 * farther;
     return distance;

@@ -7,7 +7,7 @@
 uniform float nearby; // 4 in [3.5, 16] step 0.5, cells: a brick keeps its points if a corner is nearer to the surface
 
 const int BRICK = 3; // cells along each side of a brick
-bool marching = true; // whether the ray from the eye still needs safe steps; light needs the distance
+bool marching = true; // true for the ray from the eye, which needs safe steps; light needs the distance
 
 // The smallest absolute value at the corners of a cell.
 float smallestCorner(StoredCell cell)
@@ -17,7 +17,7 @@ float smallestCorner(StoredCell cell)
 }
 
 // A value for which storedStep returns |g| - 2 sqrt(3) STORED_CELL with the sign of g.
-//   g  interpolated between the corners of a brick, scene units; |g| > 2 sqrt(3) STORED_CELL. It differs by at most
+//   g  interpolated between the corners of a brick, scene units; |g| > 2 sqrt(3) STORED_CELL. g differs by at most
 //      3 sqrt(3) / 2 cells from the distance, and the finer interpolation by sqrt(3) / 2 cells: together by 2 sqrt(3)
 float coarseValue(float g)
 {

@@ -1,4 +1,5 @@
-// The elephant from fewer points of its grid: every third, or the fraction that 'every' sets.
+// Experiment of chapter 23: the elephant from fewer points of its grid, one in 'every' along each
+// axis.
 #include "main.glsl"
 #include "23_cells.glsl"
 

@@ -6,7 +6,7 @@
 
 uniform bool exact; // true: rays end at the root of the cubic; false: where the march of the chapter ends
 
-StoredCell here; // of the last point at which the clay was evaluated
+StoredCell here; // the cell of the last point at which the clay was evaluated
 bool inCube;     // whether this point was in the cube
 
 // storedDistance, which also records the cell.
@@ -45,7 +45,7 @@ float cubicAt(vec4 c, float t)
 }
 
 // The first root of a cubic in (0, last], or -1 if there is none.
-//   c        of cubicAlong, positive at 0
+//   c        from cubicAlong; the cubic is positive at 0
 //   formula  the extrema cut the interval into at most three monotone pieces; the first piece whose end is not positive
 //            contains the root, and 20 bisections find it
 //   returns  cells; exact to last / 2^21, apart from the rounding of the cubic
