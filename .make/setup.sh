@@ -268,12 +268,14 @@ look() {
 
 # Print those useful but not required packages that the package manager has.
 available() {
+    case $manager in
+    apt-get) show='apt-cache show' ;;
+    dnf) show='dnf -q info' ;;
+    pacman) show='pacman -Si' ;;
+    *) return ;;
+    esac
     for name in $extra; do
-        if [ "$manager" = apt-get ]; then
-            apt-cache show "$name" >/dev/null 2>&1 && printf ' %s' "$name"
-        else
-            dnf -q info "$name" >/dev/null 2>&1 && printf ' %s' "$name"
-        fi
+        $show "$name" >/dev/null 2>&1 && printf ' %s' "$name"
     done
 }
 

@@ -92,7 +92,7 @@ bool renderer_load(struct renderer *renderer, struct shader_source *source,
 bool renderer_set_view(struct renderer *renderer, enum shader_view view)
 {
     struct renderer *other = renderer->comparison != NULL ? renderer->comparison->other : NULL;
-    if ((other != NULL && !renderer_set_view(other, view)) || !renderer_link(renderer, view))
+    if (!renderer_link(renderer, view) || (other != NULL && !renderer_set_view(other, view)))
         return false;
     renderer->view = view;
     return true;
@@ -310,8 +310,11 @@ bool renderer_sharp_picture(struct renderer *renderer, struct image *image)
     copy_rows(renderer->gl, sharp, 0, sharp->height);
     if (renderer->overlay != NULL)
         overlay_draw(renderer->overlay, 0, sharp->height);
-    return image_create(image, sharp->width, sharp->height) &&
-           store(renderer, &renderer->picture, image, 0);
+    bool done = image_create(image, sharp->width, sharp->height) &&
+                store(renderer, &renderer->picture, image, 0);
+    if (!done)
+        image_free(image);
+    return done;
 }
 
 // Draw a pixel at its position in its band of the picture, so that it gets the same bits as in the

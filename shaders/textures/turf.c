@@ -19,7 +19,7 @@ static void turf(double u, double v, double value[3])
     struct paint_grain flower = paint_grain(u, v, FLOWERS, FLOWERS, 2);
     double lot = paint_random((int)(flower.name >> 4), 1, flower.name);
     if (lot < 0.012 && flower.edge > 0.25)
-        paint_scale(1, (const uint32_t[1]){lot < 0.006 ? 0xe8e2c0u : 0xd8c040u}, 0.0, value);
+        paint_colour(lot < 0.006 ? 0xe8e2c0u : 0xd8c040u, value);
 }
 
 int main(void)
