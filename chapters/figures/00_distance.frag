@@ -16,7 +16,7 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray);
     float d = sceneDistance(vec3(p, 0.0)), f = sceneDistance(vec3(point, 0.0));
-    float ring = 0.1 * (abs(fract(10.0 * d) - 0.5) - 0.5); // to the nearest multiple of 0.1
+    float ring = 0.1 * (abs(fract(10.0 * d) - 0.5) - 0.5); // minus the distance from d to the nearest multiple of 0.1
     bool nearFirst = sdCircle(point - first, 0.5) < sdCircle(point - second, 0.3);
     vec2 towards = normalize((nearFirst ? first : second) - point + 1e-6);
     fill(d, SAND, 1.0);

@@ -25,7 +25,7 @@ vec3 rayColour(Ray ray)
     vec3 colour = vec3(0.5, 0.7, 1.0);
     if (hit.found)
         colour = vec3(1.0, 0.9, 0.7) * (0.1 + 0.9 * lambert(normal, normalize(lamp - p)));
-    float beside = 1.5 * length(ray.direction.xy / ray.direction.z - lamp.xy / lamp.z); // from the lamp, on the screen
+    float beside = 1.5 * length(ray.direction.xy / ray.direction.z - lamp.xy / lamp.z); // distance from the lamp
     bool visible = lamp.z < 0.0 && (!hit.found || length(lamp) < hit.t);
     return visible ? mix(colour, vec3(1.0, 0.97, 0.85), (1.0 - smoothstep(0.031, 0.037, beside))) : colour;
 }

@@ -1,6 +1,6 @@
-// The cone under a graph: drag the point and the ball. Above is the march of a ray to the right; below, the distance
+// The cone under a graph: drag the point and the ball. Above is the march of a ray to the right; below is the distance
 // along that line. The graph of a distance never enters the cone below one of its points, so each step ends before the
-// surface. With a factor above 1 it is no longer a distance.
+// surface. With a factor above 1, the function is no longer a distance.
 #include "figure.glsl"
 
 uniform vec2 point;   // (-1.15, 0.46) handle: start of the ray
@@ -15,7 +15,7 @@ float sceneDistance(vec3 p)
     return factor * min(sdCircle(p.xy - ball, 0.21), min(box, sdCircle(p.xy - vec2(-0.6, 0.2), 0.12)));
 }
 
-// The distance along the line, at x.
+// The distance at the point x of the line.
 float along(float x)
 {
     return sceneDistance(vec3(x, point.y, 0.0));

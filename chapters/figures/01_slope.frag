@@ -17,7 +17,7 @@ vec3 rayColour(Ray ray)
     vec2 p = sheetPoint(ray);
     float d = sceneDistance(vec3(p, 0.0));
     vec3 at = vec3(point, 0.0);
-    for (int i = 0; i < 4; i++) // onto the surface
+    for (int i = 0; i < 4; i++) // move the point onto the surface
         at -= sceneDistance(at) * normalAt(at, 1e-3);
     vec3 right = normalAt(at, 1e-3), found = normalAt(at, h);
     fill(d, SAND, 1.0);

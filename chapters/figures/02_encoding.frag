@@ -7,7 +7,7 @@
 uniform vec2 first;  // (-1.3, -0.75) handle: the darker light
 uniform vec2 second; // (0.2, 0.75) handle: the brighter light
 
-const vec2 CORNER = vec2(-1.3, -0.75); // of the graph, where light and value are 0
+const vec2 CORNER = vec2(-1.3, -0.75); // corner of the graph, where light and value are 0
 const float SIDE = 1.5;
 
 float sceneDistance(vec3 p)
@@ -21,7 +21,7 @@ float encoded(float light)
     return encodeSRGB(vec3(light)).x;
 }
 
-// A square of paper in a grey.
+// A rectangle in a shade of grey.
 void grey(vec2 p, float y, float value)
 {
     fill(sdRectangle(p - vec2(1.05, y), vec2(0.42, 0.25)), vec3(value), 1.0);

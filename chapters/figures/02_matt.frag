@@ -1,6 +1,6 @@
 // Why a matt surface looks the same from all sides: drag the eye. The patch sends less flux at a grazing angle: the
-// orange arrow ends on the lobe. Seen from the eye, the patch is narrower: the blue bar. The ratio of the two numbers
-// is the radiance, at the top left, and does not change.
+// orange arrow ends on the lobe. Seen from the eye, the patch is narrower, as the blue bar shows. The ratio of the two
+// numbers is the radiance, at the top left, and does not change.
 #include "figure.glsl"
 #include "lighting.glsl"
 
@@ -17,7 +17,7 @@ float sceneDistance(vec3 p)
 vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), away = normalize(eye - CENTRE + 1e-6), beside = vec2(away.y, -away.x);
-    float flux = lambert(vec3(0.0, 1.0, 0.0), vec3(away, 0.0)); // in the direction of the eye
+    float flux = lambert(vec3(0.0, 1.0, 0.0), vec3(away, 0.0)); // flux in the direction of the eye
     float seen = max(dot(beside, vec2(1.0, 0.0)), 0.0);         // the width of the patch, as the eye sees it
     float lobe = sdCircle(p - CENTRE - vec2(0.0, 0.5 * LOBE), 0.5 * LOBE);
     fill(lobe, SAND, 0.6);

@@ -14,14 +14,14 @@ vec3 rayColour(Ray ray)
     vec2 p = sheetPoint(ray), along = normalize(tip - CENTRE + 1e-6), normal = vec2(-along.y, along.x);
     float cosine = lambert(vec3(normal, 0.0), vec3(0.0, 1.0, 0.0));
     float k = clamp(floor((p.x - CENTRE.x) / SPACING), -9.0, 8.0), x = (k + 0.5) * SPACING; // the nearest ray
-    float meets = x / (abs(along.x) > 1e-3 ? along.x : 1e-3); // where, along the patch
+    float meets = x / (abs(along.x) > 1e-3 ? along.x : 1e-3); // position along the patch where the ray meets it
     bool stops = abs(meets) < HALF, lit = stops && normal.y > 0.0;
     float end = stops ? CENTRE.y + meets * along.y : -0.9;
     vec2 from = vec2(CENTRE.x + x, 0.92), to = vec2(CENTRE.x + x, end);
     arrow(p, from, to, 1.2, lit ? ORANGE : PALE);
     line2(p, CENTRE - HALF * along, CENTRE + HALF * along, 6.0, INK);
     line2(p, CENTRE - HALF * along, CENTRE + HALF * along, 3.0, SAND);
-    vec2 q = p - CENTRE, middle = normalize(normal + vec2(1e-6, 1.0)); // between both directions
+    vec2 q = p - CENTRE, middle = normalize(normal + vec2(1e-6, 1.0)); // halfway between the two directions
     vec2 turned = vec2(dot(q, vec2(middle.y, -middle.x)), dot(q, middle));
     fill(sdArc(turned, 0.2, 0.5 * angleBetween(normal, vec2(0.0, 1.0)) + 1e-3) - penWidth(0.8), INK, 1.0);
     arrow(p, CENTRE, CENTRE + 0.42 * normal, 2.5, TEAL);

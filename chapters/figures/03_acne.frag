@@ -8,14 +8,15 @@ uniform vec2 eye;           // (-1.1, 0.85) handle: where the rays start
 uniform vec2 ball;          // (0.75, 0.5) handle: centre of a ball
 uniform float shadowOffset; // 0.5 in [0, 1.5] step 0.05, times the threshold: start of a shadow ray above the surface
 
-const float FLOOR = 0.0, AXIS = -0.9, ONE = 0.34, THRESHOLD = 0.003; // ONE: height of one threshold, below
+const float FLOOR = 0.0, AXIS = -0.9, ONE = 0.34, THRESHOLD = 0.003; // ONE: height of one threshold in the graph
 
 float sceneDistance(vec3 p)
 {
     return min(p.y - FLOOR, sdCircle(p.xy - ball, 0.17));
 }
 
-// Where the march towards a point of the floor ends; the second number is 0 if that is on the ball.
+// The height, in thresholds, at which the march towards a point of the floor ends (x); and 1 if the march ends at the
+// floor, 0 if the ball is in front (y).
 vec2 heightAt(float x)
 {
     vec2 way = vec2(x, FLOOR) - eye;

@@ -1,5 +1,5 @@
 // Where the shadow ray ends: drag the lamp, the box and the point on the floor. If the ray does not stop at the lamp, a
-// box behind the lamp casts a shadow on the floor. Turn stopping on, and only objects in front of the lamp do.
+// box behind the lamp casts a shadow on the floor. Turn stopping on, and only objects in front of the lamp cast one.
 #include "figure.glsl"
 #include "shadow.glsl"
 

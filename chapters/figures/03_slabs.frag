@@ -1,13 +1,13 @@
 // A box is the intersection of two slabs: drag the start of the ray and its aim. The bars below show where the
-// ray is in the upright slab (orange), in the flat one (blue) and in both (green): from the later entry to the earlier
-// exit, the two numbers.
+// ray is in the upright slab (orange), in the flat one (blue) and in both (green). The green bar reaches from the later
+// entry to the earlier exit, which are the two numbers.
 #include "figure.glsl"
 #include "bounds.glsl"
 
 uniform vec2 start; // (-0.9, 0.2) handle: where the ray starts
 uniform vec2 aim;   // (-0.3, 0.65) handle: where the ray points
 
-const float UNIT = 0.3; // of the scene, on the sheet
+const float UNIT = 0.3; // length of a scene unit on the sheet
 const vec2 CORNER = vec2(-0.6, 0.05), SIZE = vec2(4.0, 2.0) * UNIT;
 
 float sceneDistance(vec3 p)
@@ -15,7 +15,7 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// A bar of the axis of t, from one t to another.
+// A bar along the axis of t, from one t to another.
 void bar(vec2 p, float y, vec2 interval, vec3 colour)
 {
     vec2 x = vec2(-1.3) + 1.5 * UNIT * clamp(interval, 0.0, 7.0);

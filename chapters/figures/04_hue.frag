@@ -25,7 +25,7 @@ float hueAt(vec2 q)
     return mod(degrees(atan(q.y, q.x + 1e-6)), 360.0);
 }
 
-// The plot of one channel, its lower edge at a height.
+// The plot of one channel, with its lower edge at the height low.
 void plot(vec2 p, int channel, float low, float hue, float saturation)
 {
     vec3 ink = vec3(0.12) + 0.58 * vec3(channel == 0, channel == 1, channel == 2);

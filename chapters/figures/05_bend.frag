@@ -1,6 +1,7 @@
 // A bent plank: drag the point around it. The blue circle has the radius that the formula gives when the point is
-// turned back, and it may reach into the plank. The green circle has this radius divided by the stretch of the
-// bend, and never does. The lines are those of the formula: where they are crowded, it changes too fast.
+// turned back, and it may reach into the plank. The green circle has this radius divided by the stretch of the bend,
+// and never reaches into the plank. The lines are those of the formula: where they are crowded, the formula changes
+// too fast.
 #include "figure.glsl"
 #include "transform.glsl"
 

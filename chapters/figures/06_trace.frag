@@ -1,4 +1,4 @@
-// A point is followed through the folds: drag it, and raise the number of levels. Each level has two folds, in the
+// A point is followed through the folds: drag it, and raise the number of levels. Each level has two folds, along the
 // dashed mirrors, and the arrows are the steps of the point. The distance is measured to the dark triangle only. Its
 // value is at the top left and is the radius of both circles: the circle around the point is empty.
 #include "figure.glsl"
@@ -8,7 +8,7 @@ uniform vec2 point;  // (0.264, -0.752) handle: the point that is folded
 uniform int  levels; // 1 in [0, 6]: each level has two folds
 
 const float SCALE = 0.88;              // units of the sheet per unit of length; the side of the triangle is 2
-const vec2  CORNER = vec2(0.0, 0.92);  // its upper corner
+const vec2  CORNER = vec2(0.0, 0.92);  // upper corner of the triangle
 const vec3  N1 = vec3(0.5, 0.8660254, 0.0), N2 = vec3(-0.5, 0.8660254, 0.0); // normals of the mirrors
 
 // Map a point of the sheet to the triangle, whose upper corner is the origin.

@@ -8,8 +8,8 @@ uniform vec2  point; // (0.36, 0.06) handle: where the distance is evaluated
 uniform float reach; // 0.24 in [0.2, 0.32] step 0.01, units: no point of a copy is farther from the centre of its cell
 
 const float PERIOD = 0.66;
-const float EDGE = 2.5 * PERIOD;          // of the field, which has 5 x 2 cells
-const float BOTTOM = -0.35, GROUND = -0.93; // of the field, and of the graph
+const float EDGE = 2.5 * PERIOD;          // right edge of the field, which has 5 x 2 cells
+const float BOTTOM = -0.35, GROUND = -0.93; // lower edge of the field, and axis of the graph
 
 // Map a point of the sheet to the field, where cell (0, 0) is in the middle of the lower row.
 vec2 fieldPoint(vec2 p)

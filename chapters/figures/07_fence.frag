@@ -18,7 +18,7 @@ float plankDistance(float x, float y)
     return sdRectangle(vec2(c * x + s * y, c * y - s * x), vec2(0.36, 0.06));
 }
 
-// The distance of the march, or with the second argument true, the exact one.
+// The distance that the march uses or, if exact is true, the exact distance.
 float fenceDistance(vec2 p, bool exact)
 {
     float own = plankDistance(asked == 2 ? opRepeatMirrored(p.x, PERIOD) : opRepeat(p.x, PERIOD), p.y);

@@ -1,6 +1,7 @@
 // Near and far look alike: drag the ball, then change its depth. With parallel rays the ball stays where it is in the
 // picture and keeps its size, although it moves from the front of the tower to the terrace far behind it. Only its
-// shadow moves, and the tower begins to hide it. Lower orthographic a little, and it shrinks as it moves away.
+// shadow moves, and the tower begins to hide the ball. Lower orthographic a little, and the ball shrinks as it moves
+// away.
 #include "main.glsl"
 #define sceneDistance buildingDistance
 #define colourAt buildingColour

@@ -10,7 +10,7 @@ uniform vec2  far;          // (0.55, -0.16) handle: centre of the far plate
 const float CAMERA = -0.6, FRAMING = 0.0;         // x of the camera's plane and of the framing plane
 const float DISTANCE = FRAMING - CAMERA;          // between these planes
 const float HALF = 0.55, PLATE = 0.14;            // half the height of the picture's area, and of a plate
-const float LEFT = 1.08, RIGHT = 1.66;            // of the picture
+const float LEFT = 1.08, RIGHT = 1.66;            // edges of the picture
 
 float sceneDistance(vec3 p)
 {

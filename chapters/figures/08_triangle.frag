@@ -44,7 +44,7 @@ Ray parallelRay(vec2 p, float pan, float tilt)
     return Ray(CENTRE + SCALE * across - 9.0 * forward, forward);
 }
 
-// The colour at a point of the sheet: each of the three directions of a face has its own.
+// The colour at a point of the sheet: a face has one of three colours, according to its direction.
 vec3 sampleColour(vec2 p)
 {
     vec2 turned = length(view) < 0.04 ? vec2(0.0) : view;

@@ -1,4 +1,4 @@
-// How much air the sunlight passes: drag the sun. The dots on the ray are one vertical air mass (dashed) apart.
+// How much air the sunlight passes through: drag the sun. The dots on the ray are one vertical air mass (dashed) apart.
 // Green is the air mass of the round Earth, orange that of flat layers, whose top is dashed. The sun has the
 // colour of the light that remains. Make the Earth larger: at 721.5 it is the real one, and nearly flat.
 #include "figure.glsl"
@@ -15,7 +15,7 @@ float sceneDistance(vec3 p)
 {
     float radius = earth * AIR;
     vec2 q = p.xy - EYE;
-    return (dot(q, q) + 2.0 * q.y * radius) / (length(q + vec2(0.0, radius)) + radius); // no large numbers subtracted
+    return (dot(q, q) + 2.0 * q.y * radius) / (length(q + vec2(0.0, radius)) + radius); // subtracts no large numbers
 }
 
 vec3 rayColour(Ray ray)

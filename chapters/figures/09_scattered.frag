@@ -1,5 +1,6 @@
 // The light of the sky: drag the sun, and the point where its light is scattered. The sunlight that reaches this layer
-// has passed air (its mass is orange), and the light that the layer scatters passes more on its way to the eye (blue).
+// has passed through air (its mass is orange), and the light that the layer scatters passes through more air on its way
+// to the eye (blue).
 // On the right is the light that each layer adds in red, green and blue, at its height; above is the sum of all layers,
 // the sky.
 #include "figure.glsl"

@@ -1,6 +1,6 @@
 // Inside or outside: drag the point, and the corner at the mouth of the spiral. The half-line to the right crosses
 // the outline; an odd number of crossings, written at the point, means inside. The pale number at a corner says how
-// many sides count when the half-line passes through it: those whose lower end it is.
+// many sides count when the half-line passes through the corner: those that have their lower end there.
 #include "figure.glsl"
 
 uniform vec2 point;  // (-0.62, -0.25) handle units: is it inside?

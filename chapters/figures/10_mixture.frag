@@ -20,7 +20,7 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), direction = normalize(aim - eye + 1e-6);
     float d = sceneDistance(vec3(p, 0.0)), t;
-    // How fast the mixture changes: the mean of two directions, shorter than 1 where they differ.
+    // How fast the mixture changes: the weighted mean of two unit vectors, which is shorter than 1 where they differ.
     float slope = max(length(mix(normalize(p - LEFT + 1e-6), normalize(p - centre + 1e-6), morph)), 0.05);
     dashes(p, eye, eye + 6.0 * direction, 1.0, PALE);
     int steps = drawMarch(p, eye, direction, 6.0, 0.004, 64, t);

@@ -22,7 +22,7 @@ vec3 rayColour(Ray ray)
     dashes(p, eye, eye + FAR * direction, 1.0, PALE);
     int steps = drawMarch(p, eye, direction, FAR, 0.004, 64, t);
 
-    // The fixed steps go on to the first point inside.
+    // The fixed steps continue to the first point inside.
     int evaluations = 1;
     float reached = 0.0;
     while (reached < FAR && sceneDistance(vec3(eye + reached * direction, 0.0)) > 0.0) {

@@ -45,7 +45,7 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), at = point, normal = vec2(0.0);
     vec2 toClay = normalize(p - clay + 1e-6), toGlaze = normalize(p - glaze + 1e-6);
-    float slope = max(length(mix(toClay, toGlaze, shareAt(p))), 0.1); // of the union: its lines keep their width
+    float slope = max(length(mix(toClay, toGlaze, shareAt(p))), 0.1); // of the union: with it, lines keep their width
     float d = sceneDistance(vec3(p, 0.0)) / slope, share = 0.0;
     fill(d, colourAt(shareAt(p)), 1.0);
     stroke(length(p - clay) - 0.46, 1.0, PALE);

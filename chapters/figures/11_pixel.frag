@@ -9,7 +9,7 @@ uniform vec2 pixel;      // (0.35, 0.3) handle units: the middle of the pixel
 uniform float height;    // 0.5 in [0.1, 1.5] step 0.05, units: height of the eye above the floor
 uniform float pixelSize; // 0.12 in [0.01, 0.3] step 0.01: side of a pixel on a screen at the distance 1
 
-const float SQUARE = 0.4; // units
+const float SQUARE = 0.4; // side of a square, units
 
 float sceneDistance(vec3 p)
 {

@@ -18,7 +18,7 @@ float sceneDistance(vec3 p)
     return p.y - FLOOR;
 }
 
-// Where a ray with an angle from straight down meets the floor.
+// The x at which a ray at an angle to the vertical meets the floor.
 float floorAt(float angle)
 {
     return eye.x + max(eye.y - FLOOR, 0.01) * tan(clamp(angle, -1.56, 1.56));

@@ -1,19 +1,20 @@
-// What one march reveals: drag the point, its ray to the lamp, and the ball beside it. At the bottom right are three
-// angles, in degrees: from the smallest distance / t (teal), the true one (blue), and from the lowest crease (orange).
+// What one march reveals: drag the point, its ray to the lamp, and the ball beside the ray. At the bottom right are
+// three angles, in degrees: from the smallest distance / t (teal), the true one (blue), and from the lowest crease
+// (orange).
 #include "figure.glsl"
 
 uniform vec2 spot; // (-1.55, -0.3) handle: the point
 uniform vec2 aim;  // (1.5, -0.3) handle: where its ray points
 uniform vec2 ball; // (-0.05, 0.25) handle: centre of the ball
 
-const float RADIUS = 0.2, FAR = 3.1; // of the ball; of the march
+const float RADIUS = 0.2, FAR = 3.1; // radius of the ball; end of the march
 
 float sceneDistance(vec3 p)
 {
     return sdCircle(p.xy - ball, RADIUS);
 }
 
-// A line from the point at an angle to the ray, on the ball's side.
+// The end of a line from the point at an angle to the ray, on the ball's side.
 vec2 lineEnd(vec2 direction, vec2 beside, float tangent)
 {
     return spot + 3.0 * normalize(direction + min(tangent, 1e3) * beside);

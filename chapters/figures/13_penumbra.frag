@@ -13,7 +13,7 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// By how many lamp radii the lamp's centre clears the edge, as seen from q.
+// By how many lamp radii the lamp's centre clears the edge, as seen from q, from -1 to 1.
 float clearFrom(vec2 q)
 {
     if (q.y >= edge.y || edge.y >= lamp.y)

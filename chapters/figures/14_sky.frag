@@ -51,7 +51,8 @@ vec3 rayColour(Ray ray)
         dot2(p, POINT, 9.0, INK);
     }
 
-    // The disc: above its point is the direction w of the hemisphere. The ball hides w within beta of its centre.
+    // The disc: w is the direction of the hemisphere above a point of the disc. The ball hides w within beta of its
+    // centre.
     float size = 0.5, height;
     vec2 disc = (p - eyes) / size;
     vec3 w = vec3(disc, sqrt(max(1.0 - dot(disc, disc), 1e-4)));

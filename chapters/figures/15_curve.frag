@@ -1,7 +1,7 @@
 // The curve of a film: drag the white point and the light to the left and right. Plotted against the light, in stops
 // from middle grey, are its clamped value (pale), a smoothstep (orange) and the film (blue). Below is a colour that
-// gets brighter: clamped, with the film on each channel, with the film on the largest. The numbers are the stops and
-// the film's result.
+// gets brighter: clamped, with the film on each channel, and with the film on the largest channel. The numbers are the
+// stops and the film's result.
 #include "figure.glsl"
 #include "film.glsl"
 #include "lighting.glsl"
@@ -11,7 +11,7 @@ uniform vec2 spot;   // (0.5, -0.4) handle: the light that is shown, by its x
 uniform float gamma; // 1.45 in [1, 3] step 0.05: how steep the film is
 uniform vec3 colour; // 1, 0.4, 0.05 in [0, 1], linear RGB: colour of the strips
 
-const vec2 LOW = vec2(0.0, -0.4); // of the plot: middle grey, and light 0
+const vec2 LOW = vec2(0.0, -0.4); // origin of the plot: middle grey, and light 0
 const float STOP = 0.25, HIGH = 1.25; // a stop, and the light 1, units
 
 float sceneDistance(vec3 p)
@@ -19,7 +19,7 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// The results of all three for a light.
+// The results of all three curves for a light.
 vec3 shownOf(float light, float whiteLight)
 {
     return vec3(min(light, 1.0), smoothstep(0.0, 1.0, light), filmCurve(vec3(light), gamma, whiteLight).r);

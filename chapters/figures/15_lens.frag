@@ -25,7 +25,7 @@ vec3 rayColour(Ray ray)
     float share = plane / far, end = max(share, 1.0);
     vec2 high = mix(upper, point, share), low = mix(lower, point, share), middle = mix(LENS, point, share);
 
-    // Along the bottom: the same disc of a point at any depth, half as large.
+    // Along the bottom: half the diameter of this disc, for a point at any depth.
     float base = -0.94, depth = p.x - LENS.x, blur = 0.5 * circleOfConfusion(max(depth, 0.01), radius, plane, 1.0);
     if (depth > 0.0 && p.y < -0.5) {
         fill(max(base - p.y, p.y - base - blur), SAND, 0.7);

@@ -1,4 +1,4 @@
-// One ray for a block of pixels: drag the eye, the point it is aimed at, and the ball. The cone goes on while it fits
+// One ray for a block of pixels: drag the eye, the point it is aimed at, and the ball. The cone continues while it fits
 // into the ball of empty space around its axis; where it stops, all the rays of its pixels begin.
 #include "figure.glsl"
 
@@ -15,7 +15,7 @@ float sceneDistance(vec3 p)
     return min(min(sdCircle(p.xy - ball, 0.25), post), sdCircle(p.xy - vec2(-0.55, 0.55), 0.22));
 }
 
-// How far the cone may go on: the largest h with (spread (t + h))^2 + h^2 <= (d - MARGIN)^2, 0 if there is none.
+// How far the cone may continue: the largest h with (spread (t + h))^2 + h^2 <= (d - MARGIN)^2, or 0 if there is none.
 float stepOfCone(float t, float d)
 {
     float empty = d - MARGIN, radius = spread * t;
@@ -44,7 +44,8 @@ vec3 rayColour(Ray ray)
     fill(d, SAND, 1.0);
     stroke(d, 2.0, ORANGE);
 
-    // The rays of eight pixels march on from there, each with its own steps: only where they or their count are shown.
+    // The rays of eight pixels march on from there, each with its own steps. They are computed only where they or their
+    // count are shown.
     int rest = 0;
     float lines = 1e6, ends = 1e6;
     bool seen = dot(p - eye, direction) > t - 0.05 || (p.x < -1.4 && p.y > 0.6);

@@ -22,7 +22,7 @@ float sceneDistance(vec3 p)
 }
 
 // Draw a march: from the line down at 45 degrees to a height, then up to the line again, until it is below the
-// threshold. Returns its last position; before is the one just before it.
+// threshold. Returns the last position; before is the position before the last.
 float zigzag(vec2 p, float short2, vec3 colour, out float before)
 {
     float x = min(start.x, WALL), path = 1e6, spots = 1e6;

@@ -17,7 +17,8 @@ float sceneDistance(vec3 p)
     return sdCircle(p.xy - ball, RADIUS);
 }
 
-// The light at q from the ball's centre, 1 without the ball: light that passes beside it, and light that it focuses.
+// The light at q, relative to the ball's centre: light that passes beside the ball, and light that the ball focuses.
+// Without the ball it is 1.
 float lightAt(vec2 q, vec2 toLamp)
 {
     float z = -dot(q, toLamp), r = length(q + z * toLamp);

@@ -32,7 +32,8 @@ vec3 rayColour(Ray ray)
     int met = 0;
     bool going = true;
 
-    // wayThrough of the chapter: from surface to surface, with the transmitted ray, or the reflected one if there is none.
+    // As in wayThrough of the chapter, follow the transmitted ray from surface to surface, or the reflected one if
+    // there is no transmitted ray.
     for (int k = 0; k < 5 && going; k++) {
         float t = 0.0, d = 1.0;
         for (int i = 0; i < 32 && d > THRESHOLD && t < 2.6; i++) {

@@ -22,12 +22,12 @@ float sceneDistance(vec3 p)
 vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), up = normalize(corner - MIDDLE + 1e-6), right = vec2(up.y, -up.x);
-    float size = 0.5 * clamp(length(corner - MIDDLE), 0.2, 0.9), width = penWidth(3.0); // from the middle to a side
-    mat3x2 normal = mat3x2(-up, 0.5 * up + 0.8660254 * right, 0.5 * up - 0.8660254 * right); // of its three sides
+    float size = 0.5 * clamp(length(corner - MIDDLE), 0.2, 0.9), width = penWidth(3.0); // size: from middle to side
+    mat3x2 normal = mat3x2(-up, 0.5 * up + 0.8660254 * right, 0.5 * up - 0.8660254 * right); // of the three sides
     vec3 above = (p - MIDDLE) * normal - size;
-    float prism = max(above.x, max(above.y, above.z)), turned = 0.0, amount = 0.0; // the amount of the spectrum
+    float prism = max(above.x, max(above.y, above.z)), turned = 0.0, amount = 0.0; // of the spectrum at p
 
-    // White, up to the prism: the light enters through the last of the sides that it faces.
+    // White light, up to the prism: it enters through the last of the sides that it faces.
     vec2 start = normalize(aim - lamp + 1e-6);
     vec3 facing = start * normal, way = (size - (lamp - MIDDLE) * normal) / (facing + 1e-7);
     vec3 first = mix(way, vec3(-1e6), vec3(greaterThan(facing, vec3(0.0))));

@@ -8,7 +8,7 @@ uniform vec2 lamp;   // (-1.25, 0.72) handle: where the light comes from
 uniform float index; // 1.52 in [1, 2.5] step 0.02: index of refraction of the glass
 
 const vec2 MEET = vec2(-0.55, 0.0); // where the ray meets the face, y = 0
-const vec2 LOW = vec2(0.75, -0.45), SIZE = vec2(0.88, 0.9); // of the plot
+const vec2 LOW = vec2(0.75, -0.45), SIZE = vec2(0.88, 0.9); // corner and size of the plot
 
 float sceneDistance(vec3 p)
 {

@@ -1,7 +1,7 @@
 // The columns of a table: drag the sun's height to the left and to the right, and change k. The horizontal axis is the
 // sine of the height, and the vertical axis is the column of the table; every twelfth column is drawn. Both strips show
-// the same sky near the horizon, one by the sine and one by the column. At the top are the column and its width in
-// degrees.
+// the same sky near the horizon, one against the sine and one against the column. At the top are the column and its
+// width in degrees.
 #include "figure.glsl"
 #include "lighting.glsl"
 #include "film.glsl"

@@ -7,14 +7,14 @@
 uniform vec2 point; // (-0.88, 0.4) handle: a point of the cube
 
 const vec2  LEFT = vec2(-0.88, 0.0), RIGHT = vec2(0.88, 0.0);
-const float HALF_SIDE = 0.4, RIM = 0.8; // of the cube; radius of the horizon
+const float HALF_SIDE = 0.4, RIM = 0.8; // half side of the cube; radius of the horizon
 
 float sceneDistance(vec3 p)
 {
     return p.z;
 }
 
-// The direction of a position on the net: on the lid, x and y are at most 1; each flap goes on from 1 to 2, the horizon.
+// The direction of a position on the net: on the lid, x and y are at most 1; each flap continues to 2, the horizon.
 vec3 cubeDirection(vec2 place)
 {
     vec2 side = abs(place);

@@ -1,4 +1,4 @@
-// The whole sky, twice: drag the sun in the left one; beyond the rim it is below the horizon. The zenith is in the
+// The whole sky, twice: drag the sun in the left sky; beyond the rim it is below the horizon. The zenith is in the
 // centre, the horizon at the rim. On the left is the sky of this chapter, which takes the steep part out of its
 // tables; on the right two tables with complete colours are mixed, by the horizontal angle or by the dot product. The
 // number is the sun's height in degrees.
@@ -39,7 +39,7 @@ vec3 halfColour(sampler2D table, vec3 direction, vec3 toSun, float level)
 vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), place = p - (p.x < 0.0 ? LEFT : RIGHT), from = sun - LEFT;
-    from *= min(1.0, 1.17 * RIM / max(length(from), 1e-6)); // 15 degrees below the horizon
+    from *= min(1.0, 1.17 * RIM / max(length(from), 1e-6)); // at most 15 degrees below the horizon
     vec3 toSun = skyDirection(from), direction = skyDirection(place);
     float angle = atan(direction.x * toSun.z - direction.z * toSun.x, dot(direction.xz, toSun.xz));
     float share = way == 1 ? 1.0 - abs(angle) / 3.1415927 : 0.5 + 0.5 * dot(direction, toSun);

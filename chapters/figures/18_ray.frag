@@ -10,18 +10,18 @@ uniform vec2 aim;   // (-0.25, 0.35) handle: where the ray points
 uniform bool ozone; // true: false takes the ozone out of the air
 
 const vec2  CENTRE = vec2(0.0, -3.55), EYE = vec2(-0.75, -0.749);
-const float RADIUS = 2.9, TOP = 1.2; // of the planet; height at which the air ends
+const float RADIUS = 2.9, TOP = 1.2; // radius of the planet; height at which the air ends
 const float THIN = 0.20;              // height in which the air thins by a factor of e
-const vec3  OZONE = vec3(0.20, 0.21, 0.01); // its depth overhead
-const float LAYER = RADIUS + 0.6;          // its distance from the centre
+const vec3  OZONE = vec3(0.20, 0.21, 0.01); // optical depth of the ozone overhead
+const float LAYER = RADIUS + 0.6;          // distance of the ozone from the centre
 
 float sceneDistance(vec3 p)
 {
     return sdCircle(p.xy - CENTRE, RADIUS);
 }
 
-// The optical depth of the air above a point at a distance r from the centre, in a direction with this sine: airMass
-// for air that thins out.
+// The optical depth of the air above a point at a distance r from the centre, in a direction whose height has this
+// sine. It is like airMass, but for air that thins out.
 vec3 depthUp(float r, float sine)
 {
     float e = 0.785 * r / THIN - 0.5, climb = e * sine;
@@ -35,7 +35,7 @@ vec3 sunlightAt(vec2 p, vec2 toSun)
     vec3 depth = depthUp(r, abs(sine));
     if (sine < 0.0)
         depth = 2.0 * depthUp(max(lowest, RADIUS), 0.0) - depth;
-    float across = sqrt(max(LAYER * LAYER - lowest * lowest, 0.1)) / LAYER; // sine of the path through the ozone
+    float across = sqrt(max(LAYER * LAYER - lowest * lowest, 0.1)) / LAYER; // sine of the angle between path and ozone
     float crossings = 1.0 - clamp(8.0 * sine, -1.0, 1.0) * smoothstep(-0.15, 0.15, r - LAYER);
     depth += ozone ? OZONE * crossings / across * (1.0 - smoothstep(-0.1, 0.1, lowest - LAYER)) : vec3(0.0);
     return exp(-depth) * (sine > 0.0 ? 1.0 : smoothstep(0.0, 0.02, lowest - RADIUS));

@@ -1,6 +1,6 @@
 // Plaster and dust: drag the sun around the moon, which is seen from above on the left, with the eye far below.
-// The discs are what the eye sees, by Lambert's law in the middle and by that of Lommel and Seeliger on the right;
-// each curve is the brightness across the disc. Drag the point to compare them. At full moon, with the sun behind
+// The discs are what the eye sees: Lambert's law is used in the middle, and that of Lommel and Seeliger on the right;
+// each curve is the brightness across the disc. Drag the point to compare the two. At full moon, with the sun behind
 // the eye, the plaster is dark at its rim, and the dust is flat.
 #include "figure.glsl"
 #include "lighting.glsl"

@@ -18,7 +18,7 @@ float sceneDistance(vec3 p)
     return min(sdCircle(p.xy - EARTH, 0.16), sdCircle(p.xy - moon, 0.09));
 }
 
-// A ball half of which the sun lights.
+// A ball, half of which is lit by the sun.
 void drawBall(vec2 p, vec2 centre, float radius, vec2 toSun, vec3 day, vec3 edge)
 {
     float d = sdCircle(p - centre, radius);

@@ -1,13 +1,13 @@
 // A star and the pixels: drag the star, and change the radius of its spot. Each pixel takes one sample, at its
 // centre; the number in it is the share of the star's light that it shows, in percent. The curve is the sum of
-// all pixels, in percent, as the star moves to the right by four pixels: a star does not flicker where it is flat.
+// all pixels, in percent, as the star moves to the right by four pixels: if the curve is flat, stars do not flicker.
 #include "figure.glsl"
 
 uniform vec2  star;   // (-0.66, 0.06) handle: the star
 uniform float radius; // 1.761 in [0.3, 2.4] step 0.05, pixels: of the spot
 
 const float SIDE = 0.24;                                     // of a pixel on the sheet
-const vec2  CORNER = vec2(-1.68, -0.84);                     // of the 8 x 7 pixels
+const vec2  CORNER = vec2(-1.68, -0.84);                     // lower left corner of the 8 x 7 pixels
 const vec2  LOW = vec2(0.62, -0.6), HIGH = vec2(1.6, 0.6); // of the plot: sums from 0 to 200 %
 
 float sceneDistance(vec3 p)

@@ -1,7 +1,7 @@
-// A cloud layer over the round Earth: drag the end of the ray down to the horizon, and the layer up and down. To
-// the right are 137 km, and upwards 3 km, drawn 25 times as high as they are. The dashed layer is flat. At the top
-// are the height of the ray in degrees and the distances to the round layer and to the flat one in km; on the layer
-// is the piece that a pixel of the chapter's picture covers, with its length in km.
+// A cloud layer over the round Earth: drag the end of the ray down to the horizon, and the layer up and down. The sheet
+// reaches 137 km to the right of the eye and 1.8 km above it, and heights are drawn 25 times too large. The dashed
+// layer is flat. At the top are the height of the ray in degrees and the distances to the round layer and to the flat
+// one in km; on the layer is the piece that a pixel of the chapter's picture covers, with its length in km.
 #include "figure.glsl"
 #include "clouds.glsl"
 
@@ -23,7 +23,7 @@ float heightAt(vec2 km)
     return more / (sqrt(EARTH_RADIUS * EARTH_RADIUS + more) + EARTH_RADIUS);
 }
 
-// Where a ray with this sine of its height meets the layer.
+// Where a ray meets the layer. climb is the sine of the height to which the ray points.
 vec2 onLayer(float climb, float altitude)
 {
     return EYE + KM * layerHit(0.0, climb, altitude) * vec2(sqrt(1.0 - climb * climb), climb);

@@ -1,8 +1,8 @@
 // How high the land ahead can be: drag the start of a level ray over the mountain. The line for the hills alone
 // (orange) begins highest and rises least; the curves for one octave (black), two (green) and all of them (blue)
-// begin lower and rise faster. No curve is ever below the land. Where the ray meets its curve, each proved step
-// ends; the longest one counts, and has a ring. At the bottom are the steps in units of 100 metres. From left to right
-// is one such unit, and upwards are five.
+// begin lower and rise faster. No curve is ever below the land. Each proved step ends where the ray meets the curve of
+// the same colour; the longest step counts, and has a ring. At the bottom are the steps in units of 100 metres. The
+// sheet is one such unit wide and five high.
 #include "figure.glsl"
 #include "valley.glsl"
 

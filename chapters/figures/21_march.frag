@@ -12,13 +12,13 @@ uniform int  octaves; // 2 in [1, 4]: of the ridges
 
 const float UNITS = 14.5, ASIDE = -2.0;                    // scene units in a unit of the sheet; where the cut is
 const vec2  ORIGIN = vec2(-1.72, -0.6);                    // of the scene, on the sheet
-const float FOOT = 0.4, RIDGES = 3.6, HILL_SLOPE = 0.45;   // of the ridges and the hill, as in valley.glsl:
-const float CELLS = 0.08, GAIN = 0.42, LACUNARITY = 2.1;   //   of the octaves
+const float FOOT = 0.4, RIDGES = 3.6, HILL_SLOPE = 0.45;   // of the ridges and the hill, as in valley.glsl
+const float CELLS = 0.08, GAIN = 0.42, LACUNARITY = 2.1;   // of the octaves, as in valley.glsl
 const float STEEPEST = 14.8;                               // the largest slope of the land
 float ownSlope = 0.65;                                     // of the ray; 0.65 serves for all directions
 float overLand = 0.0;                                      // the gap at the last point of landBound
 
-// The hill and, with 4 octaves, ridges: a lower bound of the distance, as landDistance in valley.glsl.
+// The hill and its ridges: a lower bound of the distance, like landDistance in valley.glsl.
 float landBound(vec2 q)
 {
     vec2 x = CELLS * vec2(ASIDE, q.x) + vec2(31.2, 9.9);

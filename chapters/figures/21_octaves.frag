@@ -14,7 +14,7 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// The distance on the sheet to the land with some octaves, three fifths as high as it is.
+// The distance on the sheet to the land with some octaves, drawn at three fifths of its height.
 float landAbove(vec2 p, float count)
 {
     vec4 land = landAt(vec2(1.0 + UNITS * p.x, 41.0), count);

@@ -1,6 +1,6 @@
-// Which parts matter in a cell: drag the cell. Its circle has the radius r of its corners. A part farther from the
+// Which parts matter in a cell: drag the cell. The circle through its corners has the radius r. A part farther from the
 // centre than the nearest by more than the blend plus 2 r cannot change the distance anywhere in the circle, and is
-// drawn pale. The others are in the list; the number at the top left counts them.
+// drawn pale. The other parts are in the list; the number at the top left counts them.
 #include "figure.glsl"
 
 uniform vec2  cell;  // (-0.35, 0.15) handle: the centre of the cell
@@ -9,7 +9,7 @@ uniform float blend; // 0.12 in [0.01, 0.5] step 0.01: width of the blend
 
 const int COUNT = 14;
 
-// Part i: a ball, its centre and radius.
+// Part i, a ball: its centre (xy) and radius (z).
 vec3 ball(int i)
 {
     float a = 2.399963 * float(i), far = 0.28 * sqrt(float(i) + 0.5);
