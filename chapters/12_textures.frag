@@ -135,7 +135,7 @@ struct Surface {
 };
 
 // The surface at p. Its normal comes from differences of the smooth shapes only, at the corners of a
-// tetrahedron. If they cancel, or without a hit, the normal points up.
+// tetrahedron. If the differences cancel, or without a hit, the normal points up.
 Surface surfaceAt(vec3 p, float h, bool hit)
 {
     Surface surface = Surface(vec4(1.0), vec3(0.0));

@@ -48,7 +48,7 @@ vec3 sunNow()
     return sunDirection(timeOfDay + hoursPerSecond * iTime, LATITUDE, DECLINATION);
 }
 
-// The sky with the sun, plus the light that the night sky has without them.
+// The sky with the sun, plus the light of the night sky.
 vec3 skyLight(vec3 direction, vec3 sun)
 {
     return tableSky(sunward, away, direction, sun) + tableSun(halo, direction, sun, radians(sunRadius)) + NIGHT;

@@ -45,7 +45,7 @@ const float LATITUDE = 43.6;   // degrees
 const float SUN_RADIUS = 0.0047, MOON_RADIUS = 0.009; // radians: the moon's is twice the true one
 const float DISC = 0.0047;      // the true radius of both, for shadows
 const float LOW_CLOUDS = 3.0, HIGH_CLOUDS = 8.0; // altitudes, km
-const float HIGH_PERIOD = 70.0; // period of the picture of the high clouds, km; it moves by one period a day
+const float HIGH_PERIOD = 70.0; // period of the picture of the high clouds, km; the picture moves by one period a day
 const float MOON_STOPS = 3.5;   // most stops of exposure for the moon, because an eye that looks at it adapts
 const vec3  LAMPLIGHT = vec3(0.62, 0.24, 0.06);  // from the windows of the cabin
 

@@ -2,7 +2,7 @@
 // the scene is 20 or more. In an endless field no distance is that large, so every ray that hits
 // nothing goes on until it runs out of steps.
 //
-// A macro replaces the chapter's call of marchCone with a call of marchLocal.
+// A macro replaces the chapter's call to marchCone with a call to marchLocal.
 #include "main.glsl"
 #include "cone.glsl"
 

@@ -2,7 +2,7 @@
 // the position in the cell. Its values lie between N / 2 and 3 N / 2 and are never 0, so rays never
 // hit a lantern at the centre of its cell, and the lantern's light is missing too.
 //
-// A macro replaces the chapter's calls of cellOf with calls of reportCellOf.
+// A macro replaces the chapter's calls to cellOf with calls to reportCellOf.
 #include "main.glsl"
 #include "repetition.glsl"
 

@@ -2,7 +2,7 @@
 // a quotient. For x >= -N / 2, the result is that of floor. Below that, every cell has the index of
 // its neighbour, so the position in the cell is off by a whole period, and the lantern is missing.
 //
-// A macro replaces the chapter's calls of cellOf with calls of truncatedCellOf.
+// A macro replaces the chapter's calls to cellOf with calls to truncatedCellOf.
 #include "main.glsl"
 #include "repetition.glsl"
 

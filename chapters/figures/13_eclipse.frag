@@ -1,5 +1,6 @@
-// The shadow of a ball: drag the point through it, or drag the ball. Where the ball looks as large as the lamp, the umbra
-// ends. On the right is the lamp's disc as seen from the point, the ball's disc in front of it, and the visible share.
+// The shadow of a ball: drag the point through it, or drag the ball. Where the ball looks as large as the lamp, the
+// umbra ends. On the right is the lamp's disc as seen from the point, the ball's disc in front of it, and the visible
+// share.
 #include "figure.glsl"
 #include "soft_shadow.glsl"
 

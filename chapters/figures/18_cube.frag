@@ -1,7 +1,7 @@
 // Skybox and skydome: the sky on the upper half of a cube, unfolded, and on a dome. The zenith is at both centres, the
-// horizon at the rims, and the lines join points of equal height, 10 degrees apart. Drag the blue point along an edge of
-// the cube: its height, the number, is 45 degrees in the middle of the edge and 35.3 at its ends. The point on the dome
-// is in the same direction.
+// horizon at the rims, and the lines join points of equal height, 10 degrees apart. Drag the blue point along an edge
+// of the cube: its height, the number, is 45 degrees in the middle of the edge and 35.3 at its ends. The point on the
+// dome is in the same direction.
 #include "figure.glsl"
 
 uniform vec2 point; // (-0.88, 0.4) handle: a point of the cube

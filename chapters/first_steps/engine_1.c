@@ -8,13 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define GLFW_INCLUDE_NONE // or GLFW includes an old OpenGL header; the right one follows
+#define GLFW_INCLUDE_NONE // otherwise GLFW includes an old OpenGL header; the right one follows
 #include <GLFW/glfw3.h>
 #include <GL/glcorearb.h>
 
 enum { WIDTH = 640, HEIGHT = 360 };
 
-// Runs for each corner, 0, 1 and 2: where is it? The screen extends from -1 to 1.
+// The vertex shader places each corner, 0, 1 and 2. The screen extends from -1 to 1.
 static const char vertex_text[] =
     "#version 330 core\n"
     "out vec2 FragCoord;\n"
@@ -24,7 +24,7 @@ static const char vertex_text[] =
     "    gl_Position = vec4(FragCoord, 0.0, 1.0);\n"
     "}\n";
 
-// Runs for each pixel: what is its colour?
+// The fragment shader computes the colour of each pixel.
 static const char fragment_text[] = "#version 330 core\n"
                                     "in vec2 FragCoord;\n"
                                     "out vec4 FragColor;\n"
@@ -55,7 +55,7 @@ static const char fragment_text[] = "#version 330 core\n"
 #define DECLARE(type, name) static type name;
 FUNCTIONS(DECLARE)
 
-// Report a failure in one line: what failed, and why. Always false.
+// Report a failure in one line: what failed, and why. Always returns false.
 static bool fail(const char *what, const char *why)
 {
     fprintf(stderr, "engine: %s: %.*s\n", what, (int)strcspn(why, "\n"), why);
@@ -85,7 +85,7 @@ static bool add_shader(GLuint program, GLenum kind, const char *text, const char
     if (!right)
         glGetShaderInfoLog(shader, sizeof log, NULL, log);
     glAttachShader(program, shader);
-    glDeleteShader(shader); // as soon as the program no longer needs it
+    glDeleteShader(shader); // takes effect once the program no longer needs it
     return right || fail(name, log);
 }
 
@@ -106,7 +106,7 @@ static GLuint make_program(void)
     return right ? program : 0;
 }
 
-// Open a window with an OpenGL 3.3 context. Returns NULL if there can be none.
+// Open a window with an OpenGL 3.3 context. Returns NULL if that fails.
 static GLFWwindow *open_window(void)
 {
     GLFWwindow *window = NULL;
@@ -136,7 +136,7 @@ static void show(GLFWwindow *window, GLuint program)
         glViewport(0, 0, width, height);
         glDrawArrays(GL_TRIANGLES, 0, 3);
         glfwSwapBuffers(window);           // show the result
-        glfwWaitEventsTimeout(1.0 / 60.0); // keys, mouse, the close button
+        glfwWaitEventsTimeout(1.0 / 60.0); // wait for keys, mouse or close button
     }
 }
 

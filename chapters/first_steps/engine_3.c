@@ -10,14 +10,14 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#define GLFW_INCLUDE_NONE // or GLFW includes an old OpenGL header; the right one follows
+#define GLFW_INCLUDE_NONE // otherwise GLFW includes an old OpenGL header; the right one follows
 #include <GLFW/glfw3.h>
 #include <GL/glcorearb.h>
 
 enum { WIDTH = 640, HEIGHT = 360, TEXT = 65536 }; // pixels; bytes of a shader, at most
 
-// Runs for each corner, 0, 1 and 2: where is it? The screen extends from -1 to 1. FragCoord has the
-// same unit in both directions, half the height of the picture.
+// The vertex shader places each corner, 0, 1 and 2. The screen extends from -1 to 1. FragCoord has
+// the same unit in both directions, half the height of the picture.
 static const char vertex_text[] =
     "#version 330 core\n"
     "uniform vec2 size;  // of the picture, in pixels\n"
@@ -58,7 +58,7 @@ static const char vertex_text[] =
 #define DECLARE(type, name) static type name;
 FUNCTIONS(DECLARE)
 
-// Report a failure in one line: what failed, and why. Always false.
+// Report a failure in one line: what failed, and why. Always returns false.
 static bool fail(const char *what, const char *why)
 {
     fprintf(stderr, "engine: %s: %.*s\n", what, (int)strcspn(why, "\n"), why);
@@ -91,7 +91,7 @@ static bool read_text(const char *path, char text[TEXT])
     return true;
 }
 
-// When was the file last saved, in seconds? 0 if there is none, as while an editor replaces it.
+// Find when the file was last saved, in seconds. Returns 0 if it is missing, as during a save.
 static double saved_at(const char *path)
 {
     struct stat about;
@@ -101,7 +101,7 @@ static double saved_at(const char *path)
 }
 
 // Report the first error of a driver's log. Drivers write the line as 0:13 or 0(13), after other
-// words or before them, and the message after the next colon and space. Always false.
+// words or before them, and the message after the next colon and space. Always returns false.
 static bool fail_at_line(const char *name, const char *log)
 {
     const char *at = strpbrk(log, "0123456789");
@@ -125,7 +125,7 @@ static bool add_shader(GLuint program, GLenum kind, const char *text, const char
     if (!right)
         glGetShaderInfoLog(shader, sizeof log, NULL, log);
     glAttachShader(program, shader);
-    glDeleteShader(shader); // as soon as the program no longer needs it
+    glDeleteShader(shader); // takes effect once the program no longer needs it
     return right || fail_at_line(name, log);
 }
 
@@ -167,7 +167,7 @@ static GLuint reload(GLuint program, const char *path, double *saved)
     return next;
 }
 
-// Open a window with an OpenGL 3.3 context. Returns NULL if there can be none.
+// Open a window with an OpenGL 3.3 context. Returns NULL if that fails.
 static GLFWwindow *open_window(void)
 {
     GLFWwindow *window = NULL;
@@ -196,7 +196,7 @@ static void draw(GLuint program, int width, int height, double time)
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-// Draw again and again until the window is closed. Returns false if the file is wrong at the start.
+// Draw again and again until the window is closed. Returns false if no first program can be made.
 static bool show(GLFWwindow *window, const char *path)
 {
     double saved = -1.0;
@@ -210,7 +210,7 @@ static bool show(GLFWwindow *window, const char *path)
         double now = glfwGetTime();
         draw(program, width, height, now);
         glfwSwapBuffers(window);           // show the result
-        glfwWaitEventsTimeout(1.0 / 60.0); // keys, mouse, the close button
+        glfwWaitEventsTimeout(1.0 / 60.0); // wait for keys, mouse or close button
     }
     return true;
 }

@@ -11,7 +11,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#define GLFW_INCLUDE_NONE // or GLFW includes an old OpenGL header; the right one follows
+#define GLFW_INCLUDE_NONE // otherwise GLFW includes an old OpenGL header; the right one follows
 #include <GLFW/glfw3.h>
 #include <GL/glcorearb.h>
 
@@ -26,12 +26,12 @@ enum { RIGHT, UP, FORWARD }; // the rows of a basis
 struct camera {
     float position[3]; // scene units; y is up
     float pan, tilt;   // radians
-    float basis[3][3]; // follows from the angles
-    double pointer[2]; // where the pointer was in the last frame
+    float basis[3][3]; // computed from pan and tilt
+    double pointer[2]; // position of the pointer in the last frame
 };
 
-// Runs for each corner, 0, 1 and 2: where is it? The screen extends from -1 to 1. FragCoord has the
-// same unit in both directions, half the height of the picture.
+// The vertex shader places each corner, 0, 1 and 2. The screen extends from -1 to 1. FragCoord has
+// the same unit in both directions, half the height of the picture.
 static const char vertex_text[] =
     "#version 330 core\n"
     "uniform vec2 size;  // of the picture, in pixels\n"
@@ -73,7 +73,7 @@ static const char vertex_text[] =
 #define DECLARE(type, name) static type name;
 FUNCTIONS(DECLARE)
 
-// Report a failure in one line: what failed, and why. Always false.
+// Report a failure in one line: what failed, and why. Always returns false.
 static bool fail(const char *what, const char *why)
 {
     fprintf(stderr, "engine: %s: %.*s\n", what, (int)strcspn(why, "\n"), why);
@@ -106,7 +106,7 @@ static bool read_text(const char *path, char text[TEXT])
     return true;
 }
 
-// When was the file last saved, in seconds? 0 if there is none, as while an editor replaces it.
+// Find when the file was last saved, in seconds. Returns 0 if it is missing, as during a save.
 static double saved_at(const char *path)
 {
     struct stat about;
@@ -116,7 +116,7 @@ static double saved_at(const char *path)
 }
 
 // Report the first error of a driver's log. Drivers write the line as 0:13 or 0(13), after other
-// words or before them, and the message after the next colon and space. Always false.
+// words or before them, and the message after the next colon and space. Always returns false.
 static bool fail_at_line(const char *name, const char *log)
 {
     const char *at = strpbrk(log, "0123456789");
@@ -140,7 +140,7 @@ static bool add_shader(GLuint program, GLenum kind, const char *text, const char
     if (!right)
         glGetShaderInfoLog(shader, sizeof log, NULL, log);
     glAttachShader(program, shader);
-    glDeleteShader(shader); // as soon as the program no longer needs it
+    glDeleteShader(shader); // takes effect once the program no longer needs it
     return right || fail_at_line(name, log);
 }
 
@@ -182,7 +182,7 @@ static GLuint reload(GLuint program, const char *path, double *saved)
     return next;
 }
 
-// Open a window with an OpenGL 3.3 context. Returns NULL if there can be none.
+// Open a window with an OpenGL 3.3 context. Returns NULL if that fails.
 static GLFWwindow *open_window(void)
 {
     GLFWwindow *window = NULL;
@@ -219,13 +219,13 @@ static void move_camera(struct camera *camera, GLFWwindow *window, double second
     glfwGetCursorPos(window, &now[0], &now[1]);
     glfwGetWindowSize(window, NULL, &height);
     if (glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) {
-        float angle = 2.0f / (FOCAL * fmaxf((float)height, 1.0f)); // of one unit of motion
+        float angle = 2.0f / (FOCAL * fmaxf((float)height, 1.0f)); // radians per unit of motion
         camera->pan += angle * (float)(now[0] - before[0]);
         camera->tilt -= angle * (float)(now[1] - before[1]);
         camera->tilt = fmaxf(-TILT_LIMIT, fminf(TILT_LIMIT, camera->tilt));
     }
     set_basis(camera);
-    static const int keys[3][2] = {{GLFW_KEY_A, GLFW_KEY_D}, // minus and plus, of each row
+    static const int keys[3][2] = {{GLFW_KEY_A, GLFW_KEY_D}, // minus and plus, for each row
                                    {GLFW_KEY_C, GLFW_KEY_SPACE},
                                    {GLFW_KEY_S, GLFW_KEY_W}};
     float way[3], length = 0.0f;
@@ -253,7 +253,7 @@ static void draw(GLuint program, const struct camera *camera, int width, int hei
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-// Draw again and again until the window is closed. Returns false if the file is wrong at the start.
+// Draw again and again until the window is closed. Returns false if no first program can be made.
 static bool show(GLFWwindow *window, const char *path, struct camera *camera)
 {
     double saved = -1.0, before = 0.0;
@@ -269,7 +269,7 @@ static bool show(GLFWwindow *window, const char *path, struct camera *camera)
         draw(program, camera, width, height, now);
         before = now;
         glfwSwapBuffers(window);           // show the result
-        glfwWaitEventsTimeout(1.0 / 60.0); // keys, mouse, the close button
+        glfwWaitEventsTimeout(1.0 / 60.0); // wait for keys, mouse or close button
     }
     return true;
 }

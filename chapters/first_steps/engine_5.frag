@@ -45,7 +45,7 @@ void main()
 {
     vec3 direction = normalize(FragCoord.x * Ex + FragCoord.y * Ey + focal * Ez);
     vec2 below = CamPos.xz - CamPos.y / direction.y * direction.xz; // where this ray meets y = 0
-    vec3 ground = texture(picture, 0.5 * below).rgb; // for every pixel: neighbours give the level
+    vec3 ground = texture(picture, 0.5 * below).rgb; // in every pixel: neighbours determine the level
     vec3 colour = mix(vec3(0.62, 0.75, 0.9), vec3(0.2, 0.42, 0.8), max(direction.y, 0.0));
     float t = march(CamPos, direction);
     if (t < 40.0) {

@@ -1,7 +1,7 @@
 // A simple scene to start from. `make play`, or play.bat, copies it to chapters/play.frag, which is
 // yours, and opens the copy. Change it and save: the window shows the result, or any errors.
 //
-// The library is in shaders/. To use its functions, include a file of it, as below.
+// The library is in shaders/. To use its functions, include one of its files, as below.
 
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay

@@ -1,6 +1,7 @@
 #version 330 core
 // Solution of exercise 1 of chapter 00: a snowman. A scene is a min() of distances: three balls of
-// snow, two of coal, and the ground. Rays that pass close to the snow and the plain need 512 steps.
+// snow, two of coal, and the ground. The march may take 512 steps, because rays that pass close to
+// the snow or the ground need more than 128.
 
 in vec2 FragCoord;  // the pixel's position: y from -1 to 1, x from -aspect to aspect
 in float Time;      // seconds
@@ -28,7 +29,7 @@ float sceneDistance(vec3 p)
     return min(min(min(belly, chest), min(head, eyesDistance(p))), ground);
 }
 
-// 2. The march: how far along the ray is the scene? A negative result is a miss.
+// 2. The march: how far along the ray is the scene? A negative result means a miss.
 
 float march(vec3 origin, vec3 direction)
 {

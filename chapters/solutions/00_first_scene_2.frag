@@ -41,7 +41,7 @@ float sceneDistance(vec3 p)
     return min(sdBoxFrame(p, vec3(0.5), 0.05), sdSphere(p, 0.3));
 }
 
-// 2. The march: how far along the ray is the scene? A negative result is a miss.
+// 2. The march: how far along the ray is the scene? A negative result means a miss.
 
 float march(vec3 origin, vec3 direction)
 {

@@ -1,7 +1,7 @@
 #version 330 core
 // Solution of exercise 3 of chapter 00: a lantern is the intersection of a box and a ball, max(a, b),
-// minus a smaller ball, max(a, -b). The smaller ball reaches through the faces of the box, and so
-// the lantern has windows.
+// minus a smaller ball, max(a, -b). The smaller ball reaches through the faces of the box, so the
+// lantern has windows.
 
 in vec2 FragCoord;  // the pixel's position: y from -1 to 1, x from -aspect to aspect
 in float Time;      // seconds
@@ -26,7 +26,7 @@ float sceneDistance(vec3 p)
     return min(lantern, sdSphere(p, 0.25));
 }
 
-// 2. The march: how far along the ray is the scene? A negative result is a miss.
+// 2. The march: how far along the ray is the scene? A negative result means a miss.
 
 float march(vec3 origin, vec3 direction)
 {

@@ -1,4 +1,5 @@
-// Solution of exercise 02.1: a third lamp, green, above the left of the stage. Its light is added.
+// Solution of exercise 02.1: a third, green lamp above the left side of the stage. Its light is
+// added.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "02_lighting.frag"

@@ -1,7 +1,8 @@
 // Solution of exercise 06.1: the Sierpinski triangle in the plane. Two folds per level give three
 // copies.
 //
-// The experiment draws it. A macro renames the experiment's own sceneDistance, which draws the letter.
+// The experiment draws the triangle. A macro renames the experiment's own sceneDistance, which
+// draws a letter.
 #include "main.glsl"
 #define sceneDistance letterDistance
 #include "experiments/06_fold.frag"
@@ -11,7 +12,8 @@ uniform int levels; // 6 in [0, 12]: how often each triangle is divided into thr
 
 const float RADIUS = 1.7; // from the centre to a corner, units
 
-// The distance by the triangle's three lines: exact inside, between d / 2 and d outside.
+// The distance to the triangle, computed from its three lines: exact inside, between d / 2 and d
+// outside.
 float sdTriangleLines(vec3 p, float radius)
 {
     return max(0.8660254 * abs(p.x) + 0.5 * p.y, -p.y) - 0.5 * radius;

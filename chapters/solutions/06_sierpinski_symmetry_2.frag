@@ -1,13 +1,13 @@
 // Solution of exercise 06.2: 6^m octahedra. Three folds bring a point to the octant where all
 // coordinates are positive, and two more to the side of the corner (1, 0, 0).
 //
-// Macros replace the chapter's calls into the library with calls of the functions here.
+// Macros replace the chapter's calls to the library with calls to the functions here.
 #include "main.glsl"
 #include "symmetry.glsl"
 #include "bounds.glsl"
 
-// The octahedron with its corners on the axes, at size: exact inside, between d / sqrt(3) and d
-// outside.
+// The octahedron with its corners on the axes, at the distance size from the centre: exact inside,
+// between d / sqrt(3) and d outside.
 float sdOctahedronPlanes(vec3 p, float size)
 {
     p = abs(p);

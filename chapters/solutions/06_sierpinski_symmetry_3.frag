@@ -1,7 +1,7 @@
 // Solution of exercise 06.3: the exact distance instead of the distance by planes. The march takes
 // fewer steps, but each costs more.
 //
-// A macro replaces the chapter's call of sdSierpinskiPlanes with a call of sdSierpinski.
+// A macro replaces the chapter's call to sdSierpinskiPlanes with a call to sdSierpinski.
 #include "main.glsl"
 #include "symmetry.glsl"
 #define sdSierpinskiPlanes sdSierpinski

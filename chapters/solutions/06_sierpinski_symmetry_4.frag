@@ -1,7 +1,7 @@
 // Solution of exercise 06.4: no more levels than the eye can distinguish. A tetrahedron is divided
-// while its edge, as seen from the eye, is longer than detail half pixels.
+// while its edge, as seen from the eye, is longer than the parameter detail, in half pixels.
 //
-// A macro replaces the chapter's call of sdSierpinskiPlanes with a call of seenPyramid.
+// A macro replaces the chapter's call to sdSierpinskiPlanes with a call to seenPyramid.
 #include "main.glsl"
 #include "cone.glsl"
 #include "symmetry.glsl"

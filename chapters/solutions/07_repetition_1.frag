@@ -1,7 +1,7 @@
 // Solution of exercise 07.1: five times five lanterns instead of an endless field.
 //
-// A macro replaces the chapter's calls of cellOf with calls of cellOfFive. cellOthers need not
-// change: where there are fewer lanterns than it assumes, it is still a lower bound.
+// A macro replaces the chapter's calls to cellOf with calls to cellOfFive. cellOthers need not
+// change: where there are fewer lanterns than it assumes, its value is still a lower bound.
 #include "main.glsl"
 #include "repetition.glsl"
 

@@ -11,7 +11,7 @@ uniform bool walled; // true: no step is longer than the distance to the block's
 
 const float CELL = 2.0;
 
-// The tower of a cell stands on y = -6 and is 1.6 wide.
+// The distance to the tower of a cell, which stands on y = -6 and is 1.6 wide.
 float towerDistance(vec3 p, vec2 cell)
 {
     float tall = 0.25 + 5.75 * cellRandom(ivec3(cell.x, 0, cell.y));

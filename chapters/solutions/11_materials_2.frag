@@ -1,6 +1,6 @@
 // Solution of exercise 11.2: all blends are quadratic, each with the share that belongs to it.
 //
-// The chapter's calls of opSmoothUnion and smoothUnionShare are replaced by calls of the quadratic
+// The chapter's calls to opSmoothUnion and smoothUnionShare are replaced by calls to the quadratic
 // functions.
 #include "main.glsl"
 #include "combine.glsl"

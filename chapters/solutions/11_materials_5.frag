@@ -1,7 +1,8 @@
 // Solution of exercise 11.5: a blend of three balls that does not depend on their order, and its
 // shares.
 //
-// The experiment's sceneDistance, ballMaterial, and rayColour, which calls it, are replaced.
+// The experiment's sceneDistance and ballMaterial are replaced, and so is rayColour, which calls
+// ballMaterial.
 #include "main.glsl"
 #define sceneDistance nestedDistance
 #define ballMaterial nestedMaterial
@@ -13,8 +14,8 @@
 
 const float WIDTH = 0.15; // width of the blend, scene units
 
-// For each ball exp(-distance / WIDTH), after the smallest distance is subtracted. Otherwise, far
-// from all balls, every value would be rounded to 0.
+// For each ball, exp(-distance / WIDTH) after the smallest distance has been subtracted. Otherwise,
+// far from all balls, every value would be rounded to 0.
 vec3 weights(vec3 ball, float least)
 {
     return exp((least - ball) / WIDTH);

@@ -1,7 +1,7 @@
 // Solution of exercise 12.1: only the nearest side. This takes one lookup and leaves a seam where
 // two sides are equally near.
 //
-// The chapter's call of planeWeights is replaced by a call of nearestWeights.
+// The chapter's call to planeWeights is replaced by a call to nearestWeights.
 #include "main.glsl"
 #include "texture.glsl"
 

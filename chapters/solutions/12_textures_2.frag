@@ -1,6 +1,7 @@
-// Solution of exercise 12.2: a threshold instead of a power. Below it the weight of a side is 0.
+// Solution of exercise 12.2: a threshold instead of a power. Below the threshold, the weight of a
+// side is 0.
 //
-// The chapter's call of planeWeights is replaced by a call of thresholdWeights.
+// The chapter's call to planeWeights is replaced by a call to thresholdWeights.
 #include "main.glsl"
 #include "texture.glsl"
 

@@ -1,6 +1,6 @@
 // Solution of exercise 12.3: ridges. Every octave is folded at 1/2, which doubles its slope.
 //
-// The chapter's calls of octaveNoise and octaveStretch are replaced by calls of these functions.
+// The chapter's calls to octaveNoise and octaveStretch are replaced by calls to these functions.
 #include "main.glsl"
 #include "noise.glsl"
 

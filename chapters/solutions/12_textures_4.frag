@@ -1,7 +1,7 @@
 // Solution of exercise 12.4: a circle of the same area instead of the ellipse. The result is
 // sharper, and sparkles more.
 //
-// The chapter's call of footprintOn is replaced by a call of roundFootprintOn.
+// The chapter's call to footprintOn is replaced by a call to roundFootprintOn.
 #include "main.glsl"
 #include "texture.glsl"
 

@@ -1,7 +1,7 @@
 // Solution of exercise 12.5: long pixels take eight lookups along the ellipse, each as wide as the
 // short axis and as long as an eighth of the long one.
 //
-// The chapter's calls of textureOnSlide, for plank and cloth, are replaced by calls of
+// The chapter's calls to textureOnSlide, for plank and cloth, are replaced by calls to
 // textureAlong.
 #include "main.glsl"
 #include "texture.glsl"

@@ -1,5 +1,5 @@
 // Solution of exercise 16.2: the water is part of the distance, and no ray meets it with a
-// division. It lies in no box, so each ray is marched from the eye to the far limit.
+// division. The water lies in no box, so each ray is marched from the eye to the far limit.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #define rayColour chapterRayColour

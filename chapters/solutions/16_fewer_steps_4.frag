@@ -1,5 +1,5 @@
 // Solution of exercise 16.4: the last two distances show how fast the distance falls, and so how
-// far the next step may go. After a step back the march looks ahead again.
+// far the next step may go. After a step back, the march uses longer steps again.
 #include "main.glsl"
 #include "relaxed.glsl"
 Hit marchBySlope(Ray ray, float tMin, float tMax, float threshold, float spread, float most, int maxSteps);

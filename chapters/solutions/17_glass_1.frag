@@ -1,5 +1,5 @@
-// Solution of exercise 17.1: Schlick's share instead of Fresnel's. Inside it needs the cosine
-// behind the surface.
+// Solution of exercise 17.1: Schlick's share instead of Fresnel's. Inside the glass, Schlick's
+// formula needs the cosine behind the surface.
 #include "main.glsl"
 #include "glass.glsl"
 #define partingAt schlickParting

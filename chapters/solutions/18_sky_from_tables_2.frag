@@ -1,5 +1,5 @@
-// Solution of exercise 18.2: an eclipse. The moon is a little above the sun and hides it and its
-// halo.
+// Solution of exercise 18.2: an eclipse. The moon is a little above the sun and hides the sun and
+// its halo.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "18_sky_from_tables.frag"

@@ -3,9 +3,9 @@
 #include "main.glsl"
 #include "night.glsl"
 
-const float RIGHT = 83.63;       // its position among the stars, degrees: right ascension
-const float HIGH = 22.01;        // and declination
-const float BRIGHTNESS = -6.0;   // its magnitude
+const float RIGHT = 83.63;       // right ascension of the star, degrees
+const float HIGH = 22.01;        // declination of the star, degrees
+const float BRIGHTNESS = -6.0;   // magnitude of the star
 
 vec3 guestLight(vec3 direction, float width)
 {

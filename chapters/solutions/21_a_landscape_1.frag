@@ -1,6 +1,6 @@
 // Solution of exercise 21.1: Fresnel's own formula for water, instead of Schlick's.
 //
-// The chapter's call of schlickShare becomes a call of waterShare.
+// The chapter's call to schlickShare becomes a call to waterShare.
 #include "main.glsl"
 #include "fresnel.glsl"
 

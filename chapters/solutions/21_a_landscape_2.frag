@@ -1,7 +1,7 @@
 // Solution of exercise 21.2: snow down to an adjustable height, as late in the year, and grass that
 // ends below it.
 //
-// The chapter's call of landColour becomes a call of winterColour.
+// The chapter's call to landColour becomes a call to winterColour.
 #include "main.glsl"
 #include "valley.glsl"
 

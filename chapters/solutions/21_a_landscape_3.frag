@@ -1,7 +1,7 @@
 // Solution of exercise 21.3: gorges instead of ridges. The fold is turned upside down. No bound
 // changes, because |grad| is the same.
 //
-// All calls of ridged become calls of gorge.
+// All calls to ridged become calls to gorge.
 #include "main.glsl"
 #include "land.glsl"
 

@@ -1,7 +1,7 @@
 // Solution of exercise 21.4: a second layer of mist, low over the lake, dense at six in the morning
 // and gone at nine. The optical depths of two layers add up.
 //
-// The chapter's calls of fogDepth become calls of morningDepth.
+// The chapter's calls to fogDepth become calls to morningDepth.
 #include "main.glsl"
 #include "fog.glsl"
 

@@ -1,6 +1,6 @@
 // Solution of exercise 23.1: the cells of the grid, as a chequered pattern on the clay.
 //
-// A macro replaces the chapter's call of gradientNoise with a call of cellPattern.
+// A macro replaces the chapter's call to gradientNoise with a call to cellPattern.
 #include "main.glsl"
 #include "noise.glsl"
 #include "stored.glsl"
