@@ -39,7 +39,7 @@ static void mirrored(double top)
     struct svg_plot plot[2];
     const char *const words[4] = {
         "report: " E("z", "against the view; x") E("x", "+ y") E("y", "&#8722; FL") E("z", ""),
-        "The ray of a pixel on the right (x = 0.8) goes to the left.",
+        "The ray of a pixel on the right goes to the left.",
         "correct: " E("z", "along the view; x") E("x", "+ y") E("y", "+ FL") E("z", ""),
         "The ray goes to the right."};
     svg_pair(top, "1.3 &#160; The basis of the eye, seen from above; the eye looks up the page",
