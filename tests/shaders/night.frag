@@ -40,7 +40,8 @@ void main()
         float age = number * 36.0 / 1023.0 - 3.0;
         FragColor = vec4(moonDirection(iMouse.x, iMouse.y, iMouse.z, age), age);
     } else if (Time < 6.0) {
-        float height = iMouse.x > 0.0 ? -sin(radians(number)) : (number - 512.0) / 512.0; // or this many degrees below
+        // The sine of the sun's height; with iMouse.x > 0, the sun is that number of degrees below the horizon.
+        float height = iMouse.x > 0.0 ? -sin(radians(number)) : (number - 512.0) / 512.0;
         FragColor = vec4(height, 1e6 * zenithLight(height), faintestSeen(zenithLight(height)), nightStops(zenithLight(height)));
     } else if (Time < 7.0) {
         float x = number / 511.5 - 1.0;

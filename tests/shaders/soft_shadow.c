@@ -225,7 +225,7 @@ TEST(the_clearance_lies_between_its_bounds)
     print_message("# most / least up to %.2f\n", widest);
 }
 
-// The same from the march in double precision, for obstacles of three kinds.
+// The bounds of a march in double precision, for obstacles of three kinds.
 TEST(the_bounds_hold_for_sheet_and_bar_too)
 {
     for (int obstacle = 0; obstacle < SHADOW_OBSTACLES; obstacle++)
