@@ -27,9 +27,9 @@ uniform sampler2D granite; // "granite.png" sRGB repeat: rock
 
 uniform int octaves; // 4 in [1, 8]: octaves of the ridges in the march
 
-// The divisors of a gap: way.x + way.y s above ground of the slope s, and way.z above the shore.
-// They are oneWay(c) for one ray that climbs by c per unit, and (0.65, 1, 1.03) for all directions:
-// that gives at least sqrt(1 + s^2) for s >= HILL_SLOPE, and for the shore.
+// A gap above the land is divided by way.x + way.y s where the slope is s, and a gap above the shore
+// by way.z. For a ray that climbs or descends by c per unit, way is oneWay(c). For all directions it
+// is (0.65, 1, 1.03): these divisors are at least sqrt(1 + s^2) for s >= HILL_SLOPE and the shore.
 const vec3 ALL_WAYS = vec3(0.65, 1.0, 1.03);
 vec3 way = ALL_WAYS;
 

@@ -38,7 +38,7 @@ vec3 rayColour(Ray ray)
     vec2 odd = mod(floor(p / SQUARE), 2.0);
     fill(-1.0, odd.x == odd.y ? PAPER : dark, 1.0);
     if (p.y > eye.y + 0.02) { // the borders of the pixels
-        // How fast a point of the screen moves perpendicular to either border, per unit of the floor.
+        // How far the position on the screen moves, perpendicular to each kind of border, per unit on the floor.
         vec2 rate = vec2(length(vec2(1.0, here.x)), height / (p.y - eye.y)) / (p.y - eye.y);
         vec2 apart = abs(fract((here - middle) / pixelSize) - 0.5) * pixelSize / rate;
         vec2 seen = smoothstep(vec2(2.0), vec2(8.0), pixelSize / rate / penWidth(1.0)); // they fade where they crowd

@@ -33,8 +33,8 @@ static const struct kind kinds[] = {
     {"shader_type", "a shader for Godot: write void main() or mainImage, and name the inputs as "
                     "docs/using.md does"},
     {"isf_vertShaderInit", "a vertex shader for ISF: a picture needs a fragment shader"},
-    {"IMG_PIXEL", "an ISF file, because it uses IMG_PIXEL: ISF is not read here"},
-    {"IMG_NORM_PIXEL", "an ISF file, because it uses IMG_NORM_PIXEL: ISF is not read here"}};
+    {"IMG_PIXEL", "an ISF file, because it uses IMG_PIXEL: ISF is not supported"},
+    {"IMG_NORM_PIXEL", "an ISF file, because it uses IMG_NORM_PIXEL: ISF is not supported"}};
 
 // Functions that a file of another kind defines instead of main or mainImage.
 static const struct kind functions[] = {
@@ -46,7 +46,7 @@ static const struct kind functions[] = {
 // The kind of file that a first comment in JSON describes, or NULL if there is no such comment.
 static const char *what_of_header(const struct glsl *code)
 {
-    static const char isf[] = "an ISF file, because of its first comment: ISF is not read here: "
+    static const char isf[] = "an ISF file, as its first comment shows; ISF is not supported: "
                               "declare its inputs as uniforms with a value, and use iResolution "
                               "and iTime";
     static const struct kind members[] = {

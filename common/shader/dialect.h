@@ -44,8 +44,8 @@ bool shader_read(struct shader_source *source, const char *path, const char *roo
 // True for the views of one ray's march, whose pixels are not those of the picture.
 bool shader_shows_ray(enum shader_view view);
 
-// The name of a view ("steps"), and the view of a name. The latter returns false without reporting
-// an error if the name is unknown.
+// Convert a view to its name ("steps"), and a name to its view. The latter returns false without
+// reporting an error if the name is unknown.
 const char *shader_view_name(enum shader_view view);
 bool shader_view_from_name(const char *name, enum shader_view *view);
 

@@ -133,7 +133,7 @@ static int common_length(const char *one, const char *other)
 const struct input *inputs_nearest(const char *name)
 {
     const struct input *best = inputs_find("FragCoord");
-    int length = 3; // names with at most three letters in common are not similar
+    int length = 3; // a common part of at most three letters is not similar enough
     for (int i = COURSE_END; i < COUNT(rows); i++) {
         int common = common_length(name, rows[i].name);
         if (common > length && rows[i].meaning < INPUT_SILENT) {

@@ -21,7 +21,7 @@ void window_picker_input(struct window *window, const struct window_event *event
 // Set the panel's members for the picker.
 void window_picker_fill(struct window *window, struct panel *panel);
 
-// Close the picker if its colour is no longer shown. Call this once per turn.
+// Close the picker if its colour is no longer shown. Call this once per iteration of the main loop.
 void window_picker_update(struct window *window);
 
 #endif

@@ -19,7 +19,8 @@ bool window_panel_wheel(struct window *window, const struct window_event *event)
 // Handle a pointer that moves while no button is held.
 void window_panel_hover(struct window *window, const struct window_event *event);
 
-// Show a tooltip once the pointer has rested for long enough. Call this once per turn.
+// Show a tooltip once the pointer has rested for long enough. Call this once per iteration of the
+// main loop.
 void window_panel_rest(struct window *window);
 
 // Set the panel's members for the pointer, the field and the colour picker.

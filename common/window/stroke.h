@@ -14,8 +14,8 @@ bool window_stroke_claims(struct window *window, const struct window_event *pres
 // Continue the stroke, or end it and print it.
 void window_stroke_input(struct window *window, const struct window_event *event);
 
-// Add the point below the pointer to the stroke, because the pointer or the scene may have moved.
-// Call this once per turn, after the events.
+// Add the point under the pointer to the stroke, because the pointer or the scene may have moved.
+// Call this once per iteration of the main loop, after the events.
 void window_stroke_rest(struct window *window);
 
 // Take back at most this many of the last strokes. Nothing happens while a stroke is being made.

@@ -8,8 +8,9 @@
 
 #include <stdbool.h>
 
-// Colours that a colour-blind reader can distinguish, also by lightness. They are on a
-// paper-coloured background, so that a figure looks the same in a light and in a dark theme.
+// Colours that a colour-blind reader can distinguish, because they also differ in lightness. They
+// are on a paper-coloured background, so that a figure looks the same in a light and in a dark
+// theme.
 #define SVG_INK    "#0d1433"
 #define SVG_PALE   "#9aa0b5"
 #define SVG_ORANGE "#d9731a"

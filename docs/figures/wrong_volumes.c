@@ -47,7 +47,7 @@ static void scaled(double top)
     const char *const words[4] = {
         "report: SDF(p / k)", "Twice too large for k = 1/2: the ray steps over the ball.",
         "correct: k SDF(p / k)", "Every circle is empty: the ray arrives."};
-    svg_pair(top, "2.2 &#160; A ball, shrunk to one half", words, (double[]){-4.3, 6.0},
+    svg_pair(top, "2.2 &#160; A ball shrunk to half its size", words, (double[]){-4.3, 6.0},
              (double[]){-1.57, 2.37}, plot);
     for (int i = 0; i < 2; i++) {
         double (*f)(double, double) = i == 0 ? ball_wrong : ball_right;

@@ -21,7 +21,7 @@ function compact(mathml) {
         .replace(/<msup>(<(m[in])(?: [^>]*)?>[^<]*<\/\2>)<mo [^>]*tml-prime[^>]*>([^<]*)<\/mo><\/msup>/g, '<mrow>$1<mo lspace="0" rspace="0">$3</mo></mrow>');
 }
 
-// TeX puts no space around the operators of an index or an exponent, but browsers do.
+// TeX puts no space around operators in a subscript or superscript, but browsers add some.
 function tightened(mathml) {
     const open = []; // for each open element: whether it is a script, whether it is inside one, how many children it has had
     return mathml.replace(/<(\/?)(\w+)([^>]*?)(\/?)>/g, (tag, end, name, attributes, empty) => {

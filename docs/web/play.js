@@ -1,4 +1,4 @@
-// play.js - the page Play, a studio: sheets to begin with, drafts with names and pictures that this device stores,
+// play.js - the Play page, a studio: templates to start from, named drafts with pictures that are stored on this device,
 // files that are dropped or chosen, a copy under another name, and one file for Shadertoy.
 import {kept} from './edits.js';
 

@@ -1,7 +1,7 @@
 // granite.c - weathered granite: pale rose feldspar, white plagioclase, smoky quartz and black
 // mica.
 //
-// Large crystals of feldspar lie in a filling of small grains; the flakes of mica cluster.
+// Large crystals of feldspar lie in a matrix of small grains; the flakes of mica cluster.
 #include "paint.h"
 
 enum { LARGE = 22, SMALL = 50, FLAKES = 84 }; // grains across a period

@@ -9,7 +9,7 @@
 // The points with one more layer around them, whose distances are infinite.
 struct grid {
     double *value;       // as given; the outer layer repeats the points beside it
-    double *distance;    // without sign
+    double *distance;    // unsigned
     bool *fixed;         // kept, or next to the surface, or in the outer layer
     int size[3];         // without the layer
     ptrdiff_t stride[3]; // from a point to its neighbour on each axis

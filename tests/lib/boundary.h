@@ -41,8 +41,8 @@ void boundary_add_polygon(struct boundary *of, const double (*corner)[2], int co
 // golden-section search.
 double boundary_distance(struct d2 p, const struct boundary *of);
 
-// The winding number of a polygon around p: the sum of the angles at which its sides are seen from
-// p, in turns.
+// The winding number of a polygon around p: the sum of the signed angles that its sides subtend
+// at p, in turns.
 double boundary_winding(struct d2 p, const double (*corner)[2], int count);
 
 #endif

@@ -144,7 +144,7 @@ TEST(test_places_are_angles)
     assert_true(worst < 2e-6 && reach < 2e-3);
 }
 
-// The largest difference of a channel between two columns.
+// The largest difference in any channel between two columns.
 static int column_step(const struct image_bytes *image, int left, int right)
 {
     int largest = 0;

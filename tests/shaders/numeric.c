@@ -267,8 +267,8 @@ TEST(test_schlick_is_near_fresnel)
     free(values);
 }
 
-// All pairs of intervals with ends from 0 to 4, including empty ones, compared with the ends of the
-// points of a fine grid that lie in either of them.
+// For all pairs of intervals with ends from 0 to 4, including empty ones, compare the union with
+// the first and the last point of a fine grid that lie in either interval.
 TEST(test_interval_union_is_the_smallest)
 {
     float *values = values_of(6, 1);

@@ -19,7 +19,7 @@ TEST(texts_are_read_as_utf8)
         {"\xf0\x9f\x98\x80", 0x1F600, 4},
         {"\n", 0xFFFD, 1},
         {"\x7f", 0xFFFD, 1},
-        {"\xc2\x85", 0xFFFD, 2},         // a control of two bytes
+        {"\xc2\x85", 0xFFFD, 2},         // a two-byte control character
         {"\xa9x", 0xFFFD, 1},            // the middle of a character
         {"\xc3x", 0xFFFD, 1},            // a character without its end
         {"\xe2\x86", 0xFFFD, 2},         // cut off by the text's end

@@ -132,7 +132,8 @@ TEST(a_stroke_in_pieces_is_the_same_stroke)
     free(pieces);
 }
 
-// Points whose nearest surface is untouched keep their bytes, and no other slices change.
+// Points whose nearest surface is untouched keep their bytes, and no slices change except those
+// reported.
 TEST(what_is_far_from_a_stroke_stays)
 {
     unsigned char *grid = ball(), *before = ball();

@@ -150,7 +150,7 @@ check('which are set separately', factors() === 'factor (left) 1,factor (right) 
 await tap('--time 1');
 check('a picture that a command writes is paused', now.paused && now.time === 1, now.paused, now.time);
 const gone = await tap('--time 1 --samples 3', 600); // the program above it is visible
-check('a command stays where it was tapped when the program above it goes', Math.abs(gone) < 2, gone);
+check('a tapped command keeps its position on the screen when the program above it is removed', Math.abs(gone) < 2, gone);
 const both = page.locator('button.run[data-other]').first();
 await both.tap();
 const compared = page.locator('.live-result .live-two canvas');
