@@ -55,7 +55,7 @@ static const char *what_of_header(const struct glsl *code)
         {"\"CATEGORIES\"", isf},
         {"\"DESCRIPTION\"", isf},
         {"\"CREDIT\"", isf},
-        {"PASSES", "a file of several passes, because of its first comment: only a single pass is "
+        {"PASSES", "a file of several passes, as its first comment shows: only a single pass is "
                    "drawn here"}};
     const char *c = code->text + code->item->begin + 2, *end = c + code->item->length;
     if (code->item->kind != GLSL_COMMENTED || c[strspn(c, "* \t\n")] != '{')

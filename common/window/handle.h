@@ -24,7 +24,8 @@ void window_next_handle(struct window *window);
 bool window_nudge_handle(struct window *window, int right, int up);
 
 // Find where the handles are, and move the one that is dragged or nudged. Call this at most once
-// per turn, before the picture is drawn. Returns false after reporting the error.
+// per iteration of the main loop, before the picture is drawn. Returns false after reporting the
+// error.
 bool window_place_handles(struct window *window);
 
 // Add the handles to the overlay's frame.
