@@ -266,7 +266,7 @@ look() {
 
 # ---- Installation ----
 
-# Print those useful but not required packages that the package manager has.
+# Print those packages in extra that the package manager has.
 available() {
     case $manager in
     apt-get) show='apt-cache show' ;;

@@ -28,7 +28,7 @@ float layerHit(float height, float climb, float altitude)
 }
 
 // The direction in which an eye at the centre of the panorama sees the point where a ray meets a layer. With this
-// direction in place of the ray's, the clouds overhead move when the eye does, and those at the horizon hardly move.
+// direction instead of the ray's, the clouds overhead move when the eye does, and those at the horizon hardly move.
 //   eye       relative to the centre, km: x and z along the ground, a few km at most, y above it
 //   direction, altitude  as for layerHit
 //   returns   length 1

@@ -105,7 +105,7 @@ float daylight(float sinHeight)
 //   sun        direction of the sun, length 1
 //   depth      optical depth of the air overhead, per channel, > 0
 //   formula    gain day^2 (0.6 + 0.4 c^2) scatteredLight + day transmittance glow, c the cosine of the
-//              angle to the sun; the gain, a colour chosen by eye, stands for light scattered more than
+//              angle to the sun; the gain, a colour chosen by eye, represents light scattered more than
 //              once and for ozone: the blue of the zenith at sunset comes only from the gain
 vec3 sunlitSky(vec3 direction, vec3 sun, vec3 depth)
 {

@@ -198,8 +198,8 @@ function whereFrom() {
     return section.replaceAll('](docs/', '](').trim();
 }
 
-// The sheets with which a reader may begin on the page Play: for each, the name, the file in chapters/, and the
-// reference picture that shows the sheet.
+// The templates with which a reader may begin on the Play page: for each, the name, the file in chapters/, and the
+// reference picture that shows the template.
 const STARTERS = [
     ['Ball', 'first_steps/play', '00_first_scene-step-5'], ['Rings', 'first_steps/2_distance', '00_first_scene-step-2'],
     ...[['Normals', '01_normal_colouring'], ['Lamps', '02_lighting'], ['Shadows', '03_shadows'], ['Colours', '04_hue_colour'], ['Fractal', '06_sierpinski_symmetry'],

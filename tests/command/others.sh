@@ -63,9 +63,6 @@ $head {
         fract(p) == vec2(0.5) && p == gl_FragCoord.xy && all(lessThan(p, iResolution.xy)));
 }
 GLSL
-is_white large 'a value of 1e9 is white' <<<"$head { c = vec4(1e9); }"
-printf '%s { c = vec4(sqrt(-iTime)); }\n' "$head" >"$scratch/root.frag"
-check 'a value that is not a number is black' eval 'draw root -t 1.5 && same root black'
 as_written() { # TEXT: a variant of the scene that looks like the original
     printf '%s' "$1" >"$scratch/changed.frag"
     draw changed && [ -z "$said" ] && same changed scene

@@ -70,8 +70,8 @@ double gloss_albedo(gloss_model *model, double parameter, double roughness, doub
         double tangent = alpha * sqrt(u / (1.0 - u)), part = 3.0 * rest * rest;
         double c = 1.0 / sqrt(1.0 + tangent * tangent);
         for (int k = 0; k < SIDE; k++) {
-            double turn =
-                MIRROR_PI * (k + 0.5) / SIDE; // one half is enough: the other is its mirror image
+            // One half is enough, because the other is its mirror image.
+            double turn = MIRROR_PI * (k + 0.5) / SIDE;
             struct d3 half = d3(c * tangent * cos(turn), c * tangent * sin(turn), c);
             double facing = d3_dot(eye, half);
             struct d3 light = d3_sub(d3_times(2.0 * facing, half), eye);

@@ -57,8 +57,8 @@ static double patch_distance(const struct patch *patch, struct d3 p)
             b = patch->turned ? b : mirror_clamp(b);
             struct d3 to = d3_sub(patch_at(patch, a, b), p);
             double square = d3_dot(to, to);
-            if (square <
-                best * (1.0 - 1e-12)) { // on the axis, every v gives the same point, up to rounding
+            // On the axis, every v gives the same point, up to rounding.
+            if (square < best * (1.0 - 1e-12)) {
                 best = square;
                 u = a;
                 v = b;

@@ -154,12 +154,18 @@ TEST(a_view_is_both_pictures)
     assert_int_equal(second.view, SHADER_DEPTH);
     assert_true(renderer_draw(&gpu.renderer, &inputs, 0, HEIGHT));
     assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
-    load_both(FIRST, "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }");
-    gpu.renderer.comparison = &comparison;
-    capture_begin();
-    bool shown = renderer_set_view(&gpu.renderer, SHADER_NORMALS);
-    assert_int_equal(line_count(capture_end()), 1);
-    assert_true(!shown && gpu.renderer.view == SHADER_PICTURE);
+    // If one side has no such view, both keep theirs.
+    static const char toy[] = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }";
+    for (int side = 0; side < 2; side++) {
+        load_both(side == 0 ? toy : FIRST, side == 0 ? SECOND : toy);
+        gpu.renderer.comparison = &comparison;
+        capture_begin();
+        bool shown = renderer_set_view(&gpu.renderer, SHADER_NORMALS);
+        assert_int_equal(line_count(capture_end()), 1);
+        assert_false(shown);
+        assert_int_equal(gpu.renderer.view, SHADER_PICTURE);
+        assert_int_equal(second.view, SHADER_PICTURE);
+    }
     load_both(FIRST, SECOND);
 }
 
