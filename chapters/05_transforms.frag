@@ -106,7 +106,7 @@ float ringDistance(vec3 p)
 // Turning a ball does not change it, so only its position is needed.
 float thingsDistance(vec3 p)
 {
-    float ball = sdSphere(p - now.ball.place, 0.62);
+    float ball = sdSphere(p - now.ball.position, 0.62);
     float crate = sdBox(seenFrom(now.crate, p), vec3(0.42)) - 0.02;
     return min(ringDistance(p), min(ball, crate));
 }
@@ -136,9 +136,9 @@ vec2 cubeInterval(Ray ray, vec3 middle, float reach)
 // The interval in which a ray can meet an object.
 vec2 thingsInterval(Ray ray)
 {
-    vec2 ring = cubeInterval(ray, now.ring.place, RING * (RING_REACH - 0.2));
-    vec2 ball = cubeInterval(ray, now.ball.place, 0.65);
-    return intervalUnion(intervalUnion(ring, ball), cubeInterval(ray, now.crate.place, 0.77));
+    vec2 ring = cubeInterval(ray, now.ring.position, RING * (RING_REACH - 0.2));
+    vec2 ball = cubeInterval(ray, now.ball.position, 0.65);
+    return intervalUnion(intervalUnion(ring, ball), cubeInterval(ray, now.crate.position, 0.77));
 }
 
 // The paint of an object at p. It is evaluated at the same point as the distance, so the stripes

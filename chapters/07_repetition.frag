@@ -33,7 +33,7 @@ const vec3  GLOW = vec3(0.95, 0.36, 0.12);
 const vec3  SUNSET = vec3(-0.384, 0.030, -0.923); // direction of the sunset, length 1
 
 struct Lantern {
-    vec3  place; // position of the point, relative to the lantern's centre, scene units
+    vec3  local; // position of the point, relative to the lantern's centre, scene units
     float size;
     float hue;   // degrees
 };
@@ -45,21 +45,21 @@ Lantern lanternAt(vec3 p)
     vec2 cell = vec2(cellOf(p.x, period), cellOf(p.z, period));
     float random = cellRandom(ivec3(cell.x, 0, cell.y));
     float height = 1.55 + variety * (random - 0.5);
-    vec3 place = p - vec3(period * cell.x, height, period * cell.y);
+    vec3 local = p - vec3(period * cell.x, height, period * cell.y);
     float size = SIZE - 0.4 * variety * fract(64.0 * random);
-    return Lantern(place, size, 25.0 + 300.0 * variety * fract(4096.0 * random));
+    return Lantern(local, size, 25.0 + 300.0 * variety * fract(4096.0 * random));
 }
 
 float ballDistance(Lantern lantern)
 {
-    return length(lantern.place) - BALL * lantern.size;
+    return length(lantern.local) - BALL * lantern.size;
 }
 
 // The distance to a frame of twelve round bars: the distance to the nearest edge of the box, minus
 // the radius of a bar. It is exact outside. Beside an edge, one of the three differences does not count.
 float frameDistance(Lantern lantern)
 {
-    vec3 corner = abs(lantern.place) - lantern.size * BODY;
+    vec3 corner = abs(lantern.local) - lantern.size * BODY;
     vec3 free = min(corner, 0.0);
     free *= free;
     return sqrt(dot(corner, corner) - max(free.x, max(free.y, free.z))) - BAR;
@@ -69,11 +69,11 @@ float frameDistance(Lantern lantern)
 // edge. The function evaluates only the copy that was hit, not the whole scene six times.
 vec3 lanternNormal(Lantern lantern, bool ball)
 {
-    vec3 corner = abs(lantern.place) - lantern.size * BODY;
+    vec3 corner = abs(lantern.local) - lantern.size * BODY;
     float most = min(corner.x, min(corner.y, corner.z));
     bvec3 free = lessThanEqual(corner, vec3(min(most, 0.0)));
-    vec3 fromEdge = sign(lantern.place) * mix(corner, vec3(0.0), free);
-    return normalize(ball ? lantern.place : fromEdge);
+    vec3 fromEdge = sign(lantern.local) * mix(corner, vec3(0.0), free);
+    return normalize(ball ? lantern.local : fromEdge);
 }
 
 Ray pixelRay(vec2 screen)
@@ -113,9 +113,9 @@ vec3 skyLight(vec3 direction)
 // walls of the cell, and that of the dusk.
 vec3 receivedLight(Lantern lantern, vec3 normal)
 {
-    float distance = length(lantern.place);
-    vec2 fade = 1.0 - smoothstep(0.2, 0.5, abs(lantern.place.xz) / period);
-    float share = lambert(normal, -lantern.place / distance) * fade.x * fade.y;
+    float distance = length(lantern.local);
+    vec2 fade = 1.0 - smoothstep(0.2, 0.5, abs(lantern.local.xz) / period);
+    float share = lambert(normal, -lantern.local / distance) * fade.x * fade.y;
     vec3 colour = hsvToRGB(lantern.hue, 0.75, 1.0) * fallOff(distance, REFERENCE * lantern.size);
     vec3 dusk = mix(0.3 * HAZE, ZENITH + 0.5 * HAZE, 0.5 + 0.5 * normal.y);
     return share * colour + dusk + 0.25 * lambert(normal, SUNSET) * GLOW;

@@ -73,7 +73,7 @@ vec3 lightDirection(vec3 sun)
 // ---- Where a ray ends ----
 
 // The point where a ray ends, and how it appears in the pixel.
-struct Place {
+struct Surface {
     vec3  p;
     float t;                   // distance to p along the ray
     bool  met;                 // false if the ray shows the sky
@@ -86,7 +86,7 @@ struct Place {
 
 // The march finds towers, lamps and trees. The ground is the lower face of the box that gives the
 // interval.
-Place placeAlong(Ray ray)
+Surface surfaceAlong(Ray ray)
 {
     float spread = footprint * pixelSpread();
     vec3 foot = vec3(ray.origin.x, 0.0, ray.origin.z);
@@ -105,7 +105,7 @@ Place placeAlong(Ray ray)
         traceNormal(normal);
         traceMarch(trace.steps, t, END_HIT);
     }
-    return Place(p, t, met, ground, tower, lamp, block, normal, width, facing);
+    return Surface(p, t, met, ground, tower, lamp, block, normal, width, facing);
 }
 
 // ---- The material, found once, at the hit ----
@@ -138,19 +138,19 @@ float windowsOn(vec3 sun)
 }
 
 // The vector from the bulb of the nearest lamp to the point, in the folded street.
-vec3 fromBulb(Place place)
+vec3 fromBulb(Surface surface)
 {
-    return pavement(place.block.local) - LAMP;
+    return pavement(surface.block.local) - LAMP;
 }
 
 // The share of windows in a pixel of a wall (x), and how brightly they are lit (y).
 //   at      the position on the wall, in windows and floors
 //   random  the window's random number
-vec2 windowsAt(Place place, vec2 at, float random, vec3 sun)
+vec2 windowsAt(Surface surface, vec2 at, float random, vec3 sun)
 {
-    vec2 width = vec2(place.width / place.facing, place.width) / BAY.xy;
+    vec2 width = vec2(surface.width / surface.facing, surface.width) / BAY.xy;
     float blur = blurred(max(width.x, width.y));
-    bool shop = at.y < 1.0, there = place.tower && !place.ground && abs(place.normal.y) < 0.5;
+    bool shop = at.y < 1.0, there = surface.tower && !surface.ground && abs(surface.normal.y) < 0.5;
     vec2 glass = shop ? SHOP : WINDOW;
     float pane = stripes(at.x, glass.x, width.x) * stripes(at.y, glass.y, width.y);
     float share = (shop ? SHOPS_LIT : WINDOWS_LIT) * windowsOn(sun);
@@ -160,34 +160,34 @@ vec2 windowsAt(Place place, vec2 at, float random, vec3 sun)
 
 // The ground: a roadway with a dashed line between pavements.
 //   asphalt  the share of the pixel that is roadway
-vec3 groundColour(Place place, float asphalt)
+vec3 groundColour(Surface surface, float asphalt)
 {
-    vec2 road = 0.5 * PERIOD - abs(place.block.local.xz);
-    float dash = coverage(0.025 - road.x, place.width) * step(0.75, road.y);
-    float width = place.width / place.facing / 0.75;
-    dash *= mix(stripes(place.block.local.z / 0.75, 0.5, width), 0.5, blurred(width));
+    vec2 road = 0.5 * PERIOD - abs(surface.block.local.xz);
+    float dash = coverage(0.025 - road.x, surface.width) * step(0.75, road.y);
+    float width = surface.width / surface.facing / 0.75;
+    dash *= mix(stripes(surface.block.local.z / 0.75, 0.5, width), 0.5, blurred(width));
     return mix(vec3(0.27, 0.25, 0.23), vec3(0.06, 0.062, 0.07) + 0.5 * dash, asphalt);
 }
 
 // Each window on each side of each tower has its own random number, and so has each leaf.
-Material materialAt(Place place, vec3 sun)
+Material materialAt(Surface surface, vec3 sun)
 {
-    vec3 local = place.block.local, normal = place.normal;
-    vec2 at = vec2(abs(normal.x) > 0.5 ? local.z : local.x, place.p.y) / BAY.xy + vec2(0.5, 0.0);
-    float side = 4096.0 * place.block.random + sign(normal.x + 2.0 * normal.z);
-    float random = cellRandom(place.tower ? ivec3(floor(at), side) : ivec3(floor(32.0 * place.p)));
-    vec2 windows = windowsAt(place, at, random, sun);
+    vec3 local = surface.block.local, normal = surface.normal;
+    vec2 at = vec2(abs(normal.x) > 0.5 ? local.z : local.x, surface.p.y) / BAY.xy + vec2(0.5, 0.0);
+    float side = 4096.0 * surface.block.random + sign(normal.x + 2.0 * normal.z);
+    float random = cellRandom(surface.tower ? ivec3(floor(at), side) : ivec3(floor(32.0 * surface.p)));
+    vec2 windows = windowsAt(surface, at, random, sun);
     vec2 road = 0.5 * PERIOD - abs(local.xz);
-    float asphalt = coverage(0.72 - min(road.x, road.y), place.width / place.facing);
+    float asphalt = coverage(0.72 - min(road.x, road.y), surface.width / surface.facing);
 
-    vec3 wall = mix(vec3(0.46, 0.33, 0.24), vec3(0.36, 0.38, 0.42), fract(16.0 * place.block.random));
+    vec3 wall = mix(vec3(0.46, 0.33, 0.24), vec3(0.36, 0.38, 0.42), fract(16.0 * surface.block.random));
     vec3 tower = mix(wall, vec3(0.015, 0.02, 0.025), windows.x);
-    float leaf = mix(0.45 + 1.1 * random, 1.0, min(32.0 * place.width, 1.0));
-    vec3 other = place.lamp ? vec3(0.04) : vec3(0.045, 0.085, 0.025) * leaf;
-    vec3 colour = place.ground ? groundColour(place, asphalt) : place.tower ? tower : other;
-    bool bulb = place.lamp && length(fromBulb(place)) < 0.06;
+    float leaf = mix(0.45 + 1.1 * random, 1.0, min(32.0 * surface.width, 1.0));
+    vec3 other = surface.lamp ? vec3(0.04) : vec3(0.045, 0.085, 0.025) * leaf;
+    vec3 colour = surface.ground ? groundColour(surface, asphalt) : surface.tower ? tower : other;
+    bool bulb = surface.lamp && length(fromBulb(surface)) < 0.06;
     float glow = 0.25 * windows.x * windows.y + (bulb ? 1.3 * lampsOn(sun) : 0.0);
-    return Material(colour, windows.x, place.ground ? asphalt : 0.0, glow * LAMPLIGHT);
+    return Material(colour, windows.x, surface.ground ? asphalt : 0.0, glow * LAMPLIGHT);
 }
 
 // ---- The light that arrives, and the light that goes to the camera ----
@@ -195,43 +195,43 @@ Material materialAt(Place place, vec3 sun)
 // 1 if the sun or the moon is visible, otherwise 0. A ray that runs out of steps counts as blocked.
 // Walls that the light grazes, at a cosine below 0.02, are not tested: they receive hardly any
 // light and cost the most.
-float lightSeen(Place place, vec3 toLight)
+float lightSeen(Surface surface, vec3 toLight)
 {
-    bool faces = place.met && dot(place.normal, toLight) > 0.02;
-    float far = faces ? min(SHADOW_FAR, (TALLEST - place.p.y) / toLight.y) : 0.0;
-    Ray ray = shadowRay(place.p, place.normal, toLight, 0.03 + place.width);
+    bool faces = surface.met && dot(surface.normal, toLight) > 0.02;
+    float far = faces ? min(SHADOW_FAR, (TALLEST - surface.p.y) / toLight.y) : 0.0;
+    Ray ray = shadowRay(surface.p, surface.normal, toLight, 0.03 + surface.width);
     return march(ray, 0.0, far, 0.01, 64).t < far ? 0.0 : 1.0;
 }
 
 // The light that a matt surface receives: the beam of sun or moon, the light of the whole sky with
 // a little of the beam that streets scatter, and the light of the nearest lamp.
 //   direct  the part of the beam that arrives: all of it, or black in the shade
-vec3 receivedLight(Place place, vec3 sun, vec3 beam, vec3 direct)
+vec3 receivedLight(Surface surface, vec3 sun, vec3 beam, vec3 direct)
 {
-    vec3 around = skyAmbient(sun, airDepth()) + 0.1 * beam, toBulb = -fromBulb(place);
-    float catches = lampsOn(sun) * lambert(place.normal, normalize(toBulb)) / (0.1 + dot(toBulb, toBulb));
-    vec3 open = direct * lambert(place.normal, lightDirection(sun)) + (0.6 + 0.4 * place.normal.y) * around;
+    vec3 around = skyAmbient(sun, airDepth()) + 0.1 * beam, toBulb = -fromBulb(surface);
+    float catches = lampsOn(sun) * lambert(surface.normal, normalize(toBulb)) / (0.1 + dot(toBulb, toBulb));
+    vec3 open = direct * lambert(surface.normal, lightDirection(sun)) + (0.6 + 0.4 * surface.normal.y) * around;
     return open + 0.08 * catches * LAMPLIGHT;
 }
 
 // The sky that panes reflect, and the sun that asphalt reflects, both more at smaller grazing angles.
 // The fourth power instead of Schlick's fifth was chosen by eye, for panes that are not quite flat.
 //   sky  the sky behind the point: a wall at a small grazing angle reflects nearly the same part
-vec3 mirroredLight(Place place, Material material, vec3 direction, vec3 sun, vec3 direct, vec3 sky)
+vec3 mirroredLight(Surface surface, Material material, vec3 direction, vec3 sun, vec3 direct, vec3 sky)
 {
-    float grazing = 1.0 - place.facing, square = grazing * grazing;
-    vec3 panes = material.pane * (abs(place.normal.x) > 0.5 ? sky : 0.7 * skyAmbient(sun, airDepth()));
-    vec3 glint = 0.5 * glow(reflect(direction, place.normal), lightDirection(sun), 0.75) * direct;
+    float grazing = 1.0 - surface.facing, square = grazing * grazing;
+    vec3 panes = material.pane * (abs(surface.normal.x) > 0.5 ? sky : 0.7 * skyAmbient(sun, airDepth()));
+    vec3 glint = 0.5 * glow(reflect(direction, surface.normal), lightDirection(sun), 0.75) * direct;
     return (0.04 + 0.96 * square * square) * (panes + material.gloss * glint);
 }
 
 // The light that a point sends to the camera: scattered, reflected and emitted.
-vec3 placeLight(Place place, vec3 direction, vec3 sun, vec3 sky)
+vec3 surfaceLight(Surface surface, vec3 direction, vec3 sun, vec3 sky)
 {
-    Material material = materialAt(place, sun);
-    vec3 beam = sunOrMoonLight(sun, airDepth()), direct = lightSeen(place, lightDirection(sun)) * beam;
-    vec3 mirrored = mirroredLight(place, material, direction, sun, direct, sky);
-    return material.colour * receivedLight(place, sun, beam, direct) + mirrored + material.glow;
+    Material material = materialAt(surface, sun);
+    vec3 beam = sunOrMoonLight(sun, airDepth()), direct = lightSeen(surface, lightDirection(sun)) * beam;
+    vec3 mirrored = mirroredLight(surface, material, direction, sun, direct, sky);
+    return material.colour * receivedLight(surface, sun, beam, direct) + mirrored + material.glow;
 }
 
 // ---- The picture ----
@@ -251,10 +251,10 @@ vec3 exposed(vec3 light, vec3 sun)
 //   sky  light of the sky in the direction of the ray
 vec3 cityColour(Ray ray, vec3 sun, vec3 sky)
 {
-    Place place = placeAlong(ray);
-    vec3 city = mix(sky, placeLight(place, ray.direction, sun, sky), exp(-0.0006 * place.t * place.t));
+    Surface surface = surfaceAlong(ray);
+    vec3 city = mix(sky, surfaceLight(surface, ray.direction, sun, sky), exp(-0.0006 * surface.t * surface.t));
     vec3 sunDisc = 14.0 * disc(ray.direction, sun, 0.014) * transmittance(airDepth(), airMass(sun.y));
-    return exposed(place.met ? city : sky + sunDisc, sun);
+    return exposed(surface.met ? city : sky + sunDisc, sun);
 }
 
 vec3 rayColour(Ray ray)

@@ -26,14 +26,14 @@ const float FAR = 6.0; // a ray that has travelled this far has left the sheet
 // The point of the sheet, the plane z = 0, that a point of the screen shows. The camera stays in
 // front of the sheet. A ray above the horizon, which would miss the sheet, is given a point far
 // away.
-vec2 sheetPlace(vec2 screen)
+vec2 planePoint(vec2 screen)
 {
     vec3 way = screen.x * iCameraRight + screen.y * iCameraUp + focalLength * iCameraForward;
     return iCameraPosition.xy - max(iCameraPosition.z, 0.01) / min(way.z, -0.001) * way.xy;
 }
 
 // How far the point of the sheet moves when the point of the screen moves, to first order: the
-// derivative of sheetPlace.
+// derivative of planePoint.
 //   p     the point of the sheet
 //   move  movement of the point of the screen, as a vector in space: a multiple of the camera's
 //         right or up
@@ -51,7 +51,7 @@ Ray pixelRay(vec2 screen)
 #if VIEW == 9
     return perspectiveRay(screen);
 #else
-    vec2 way = (VIEW >= 1 && VIEW <= 3 ? sheetPlace(screen) : aim) - rayStart;
+    vec2 way = (VIEW >= 1 && VIEW <= 3 ? planePoint(screen) : aim) - rayStart;
     return Ray(vec3(rayStart, 0.0), normalize(vec3(way + 1e-7, 0.0)));
 #endif
 }
@@ -192,7 +192,7 @@ vec3 rayColour(Ray ray)
         normalAt(ray.origin + hit.t * ray.direction, hitThreshold);
     return PAPER;
 #else
-    vec2 screen = screenPosition(gl_FragCoord.xy + iPixelOffset), p = sheetPlace(screen);
+    vec2 screen = screenPosition(gl_FragCoord.xy + iPixelOffset), p = planePoint(screen);
     float down = screen.x * iCameraRight.z + screen.y * iCameraUp.z + focalLength * iCameraForward.z;
     float away = max(iCameraPosition.z, 0.01) / max(-down, 0.001) * 2.0 / iResolution.y;
     vec2 right = sheetStep(p, iCameraRight, away), up = sheetStep(p, iCameraUp, away);

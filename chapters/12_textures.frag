@@ -91,7 +91,7 @@ float clothDistance(vec3 p)
 vec4 partDistances(vec3 p)
 {
     float board = roundBox(p - vec3(0.2, 0.9, 0.0), vec3(1.95, 0.06, 0.46), 0.02);
-    return vec4(smoothStones(p), board, sdSphere(p - ballPose().place, BALL), clothDistance(p));
+    return vec4(smoothStones(p), board, sdSphere(p - ballPose().position, BALL), clothDistance(p));
 }
 
 // The noise that carves the stones: its value (x), in [0, 1), and its gradient (yzw).

@@ -96,10 +96,10 @@ vec3 sunDirection()
 //   width  of the pixel on the floor, along x and z
 vec3 floorColour(vec3 p, vec2 width)
 {
-    vec2 place = p.xz / PAVING, across = width / PAVING;
-    float alongZ = mix(stripes(place.x, JOINT, across.x), JOINT, blurred(across.x));
-    float alongX = mix(stripes(place.y, JOINT, across.y), JOINT, blurred(across.y));
-    float tone = cellRandom(ivec3(floor(place.x + 0.5), floor(place.y + 0.5), 3));
+    vec2 tile = p.xz / PAVING, across = width / PAVING;
+    float alongZ = mix(stripes(tile.x, JOINT, across.x), JOINT, blurred(across.x));
+    float alongX = mix(stripes(tile.y, JOINT, across.y), JOINT, blurred(across.y));
+    float tone = cellRandom(ivec3(floor(tile.x + 0.5), floor(tile.y + 0.5), 3));
     return STONE * (0.94 + 0.1 * tone) * (1.0 - 0.35 * max(alongZ, alongX));
 }
 
@@ -116,7 +116,7 @@ vec3 skyLight(vec3 direction, vec3 toSun)
 // ---- Where a ray ends, and how much of the sun is visible from there ----
 
 // Where the ray of a pixel ends.
-struct Place {
+struct Surface {
     bool  open;   // the ray met only the sky
     vec3  p;      // scene units
     vec3  normal; // length 1
@@ -124,7 +124,7 @@ struct Place {
     float radius; // of the pixel's footprint there
 };
 
-Place placeAt(Ray ray)
+Surface surfaceAt(Ray ray)
 {
     vec2 interval = boxInterval(ray, LOW, HIGH);
     float ground = ray.direction.y < 0.0 ? -ray.origin.y / ray.direction.y : FAR;
@@ -139,28 +139,28 @@ Place placeAt(Ray ray)
         traceMarch(trace.steps, t, END_HIT);
         traceNormal(normal);
     }
-    return Place(open, p, normal, hit.found ? STONE : floorColour(p, width), radius);
+    return Surface(open, p, normal, hit.found ? STONE : floorColour(p, width), radius);
 }
 
 // The shadow ray from a point to the centre of the sun.
-Ray sunRay(Place place, vec3 toSun)
+Ray sunRay(Surface surface, vec3 toSun)
 {
-    return shadowRay(place.p, place.normal, toSun, 2.0 * place.radius);
+    return shadowRay(surface.p, surface.normal, toSun, 2.0 * surface.radius);
 }
 
 // How far to march along the shadow ray: to the end of the box, enlarged by the distance between
 // the rays to the sun's centre and to its rim.
-float sunReach(Place place, Ray ray)
+float sunReach(Surface surface, Ray ray)
 {
     float room = LONGEST_SHADOW * spread;
-    return place.open ? 0.0 : shadowReach(place.normal, ray.direction, boxInterval(ray, LOW - room, HIGH + room).y);
+    return surface.open ? 0.0 : shadowReach(surface.normal, ray.direction, boxInterval(ray, LOW - room, HIGH + room).y);
 }
 
 // The visible share of the sun, by one of four methods.
-float sunSeen(Place place, vec3 toSun)
+float sunSeen(Surface surface, vec3 toSun)
 {
-    Ray ray = sunRay(place, toSun);
-    float far = sunReach(place, ray);
+    Ray ray = sunRay(surface, toSun);
+    float far = sunReach(surface, ray);
     bool many = shadow == 3;
     Clearance clearance = clearanceAlong(ray, 0.0, many ? 0.0 : far, hitThreshold, maxSteps);
     float arrived = lampReaching(ray, far, spread, many ? rays : 0, hitThreshold, maxSteps, 0);
@@ -176,15 +176,15 @@ vec3 ambientLight(vec3 normal, vec3 toSun)
 }
 
 // The light that reaches the eye: the shadow darkens only the sun's light.
-vec3 placeLight(Place place, Ray ray, vec3 toSun, float seen)
+vec3 surfaceLight(Surface surface, Ray ray, vec3 toSun, float seen)
 {
-    vec3 light = ambientLight(place.normal, toSun) + seen * lambert(place.normal, toSun) * SUN_COLOUR;
-    return place.open ? skyLight(ray.direction, toSun) : place.colour * light;
+    vec3 light = ambientLight(surface.normal, toSun) + seen * lambert(surface.normal, toSun) * SUN_COLOUR;
+    return surface.open ? skyLight(ray.direction, toSun) : surface.colour * light;
 }
 
 vec3 rayColour(Ray ray)
 {
     vec3 toSun = sunDirection();
-    Place place = placeAt(ray);
-    return encodeSRGB(placeLight(place, ray, toSun, sunSeen(place, toSun)));
+    Surface surface = surfaceAt(ray);
+    return encodeSRGB(surfaceLight(surface, ray, toSun, sunSeen(surface, toSun)));
 }

@@ -5,7 +5,7 @@
 #include "cone.glsl"        // perspectiveRay, pixelSpread
 #include "lighting.glsl"    // encodeSRGB
 #include "occlusion.glsl"   // openByTaps, skyReaching, skyAndBounces
-#include "courtyard.glsl"   // the court: courtyardPlace, courtyardDistance, troughDistance
+#include "courtyard.glsl"   // the court: courtyardSurface, courtyardDistance, troughDistance
 
 uniform int   method;       // 1 in [0, 3]: 0 nothing hides the sky, 1 five taps, 2 many rays, 3 the error, taps minus rays: blue is too dark
 uniform float reach;        // 5 in [0.1, 10] step *1.2, scene units: height of the last tap
@@ -43,45 +43,45 @@ vec3 skyLight(vec3 direction)
 }
 
 // The openness, from five taps.
-float openQuickly(Place place)
+float openQuickly(Surface surface)
 {
-    return openOverGround(place.normal) * openByTaps(place.p, place.normal, reach, strength);
+    return openOverGround(surface.normal) * openByTaps(surface.p, surface.normal, reach, strength);
 }
 
 // The openness, from many rays.
-float openTruly(Place place, int side)
+float openTruly(Surface surface, int side)
 {
-    return skyReaching(place.p, place.normal, 2.0 * place.radius, COURT_FAR, side, hitThreshold, maxSteps, 0);
+    return skyReaching(surface.p, surface.normal, 2.0 * surface.radius, COURT_FAR, side, hitThreshold, maxSteps, 0);
 }
 
 // The openness, by the selected method.
-float openBy(Place place, float taps, float truth)
+float openBy(Surface surface, float taps, float truth)
 {
-    return method == 0 ? openOverGround(place.normal) : (method == 1 ? taps : truth);
+    return method == 0 ? openOverGround(surface.normal) : (method == 1 ? taps : truth);
 }
 
 // The light that reaches the eye from a point of this openness.
-vec3 placeLight(Place place, float open)
+vec3 surfaceLight(Surface surface, float open)
 {
     vec3 light = SKY * skyAndBounces(open, NEAR, bounces);
-    return bare ? vec3(open) : place.colour * light;
+    return bare ? vec3(open) : surface.colour * light;
 }
 
 // The court in grey, coloured where the taps are wrong.
-vec3 errorColour(Place place, float off)
+vec3 errorColour(Surface surface, float off)
 {
-    vec3 ground = vec3(0.45 + 0.45 * dot(place.colour, vec3(0.3)));
+    vec3 ground = vec3(0.45 + 0.45 * dot(surface.colour, vec3(0.3)));
     return mix(ground, off < 0.0 ? DARKER : LIGHTER, min(2.0 * abs(off), 1.0));
 }
 
 vec3 rayColour(Ray ray)
 {
     lookingRound = false;
-    Place place = courtyardPlace(ray, hitThreshold, maxSteps);
+    Surface surface = courtyardSurface(ray, hitThreshold, maxSteps);
     lookingRound = true;
-    float taps = openQuickly(place);
-    float truth = openTruly(place, method >= 2 && !place.open ? rays : 0);
+    float taps = openQuickly(surface);
+    float truth = openTruly(surface, method >= 2 && !surface.open ? rays : 0);
     lookingRound = false;
-    vec3 light = method == 3 ? errorColour(place, taps - truth) : placeLight(place, openBy(place, taps, truth));
-    return encodeSRGB(place.open ? skyLight(ray.direction) : light);
+    vec3 light = method == 3 ? errorColour(surface, taps - truth) : surfaceLight(surface, openBy(surface, taps, truth));
+    return encodeSRGB(surface.open ? skyLight(ray.direction) : light);
 }

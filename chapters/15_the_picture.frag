@@ -1,9 +1,9 @@
 // 15 The picture: the courtyard of chapter 14 as a photograph, early on a misty morning.
 
 #include "main.glsl"      // main(): calls pixelRay, then rayColour
-#include "courtyard.glsl" // the scene: courtyardPlaceFrom, courtyardDistance, troughReached, arcadeCorners
+#include "courtyard.glsl" // the scene: courtyardSurfaceFrom, courtyardDistance, troughReached, arcadeCorners
 #include "lighting.glsl"  // lambert, encodeSRGB
-#include "fog.glsl"       // fogDepth, skyFogDepth, fogPlace, fogLight, throughFog
+#include "fog.glsl"       // fogDepth, skyFogDepth, inverseFogDepth, fogLight, throughFog
 #include "film.glsl"      // exposed, cosineFourth, contrast, filmCurve, filmOfLargest, ditherStep
 #include "lens.glsl"      // lensRay, sampleDisc; includes lampDirection, shadowRay, lightReaching
 #include "filter.glsl"    // filteredScreen; includes sampleLine
@@ -86,7 +86,7 @@ float mistSeen(Ray ray, float depth, vec3 toSun)
     float lit = 0.0, lot = sampleLine(6), lost = 1.0 - exp(-depth);
     for (int i = 0; i < shafts; i++) {
         float reached = -log(1.0 - (float(i) + lot) / float(shafts) * lost);
-        float t = fogPlace(ray.origin.y, ray.direction.y, reached, fogDensity, fogScale);
+        float t = inverseFogDepth(ray.origin.y, ray.direction.y, reached, fogDensity, fogScale);
         lit += mistLit(Ray(ray.origin + t * ray.direction, toSun));
     }
     return shafts > 0 ? lit / float(shafts) : 1.0;
@@ -94,15 +94,15 @@ float mistSeen(Ray ray, float depth, vec3 toSun)
 
 // The light from a point to the eye: the point reflects the light of the sun and of the sky that
 // arrives there.
-vec3 placeLight(Place place, vec3 toSun)
+vec3 surfaceLight(Surface surface, vec3 toSun)
 {
-    Ray ray = shadowRay(place.p, place.normal, toSun, 2.0 * place.radius);
-    bool free = !place.open && troughReached(ray) >= COURT_FAR; // the side walls, with a division
-    float far = free ? shadowReach(place.normal, toSun, boxInterval(ray, COURT_LOW, COURT_HIGH).y) : 0.0;
+    Ray ray = shadowRay(surface.p, surface.normal, toSun, 2.0 * surface.radius);
+    bool free = !surface.open && troughReached(ray) >= COURT_FAR; // the side walls, with a division
+    float far = free ? shadowReach(surface.normal, toSun, boxInterval(ray, COURT_LOW, COURT_HIGH).y) : 0.0;
     float seen = free ? lightReaching(ray, far, hitThreshold, maxSteps) : 0.0;
-    float outdoors = smoothstep(-6.2, -3.6, place.p.z); // share of the sky that the gallery's roof leaves open, by eye
-    vec3 sky = (0.3 + 0.7 * outdoors) * mix(COURT_COLOUR, SKY_COLOUR, 0.5 + 0.5 * place.normal.y);
-    return place.colour * (sky + seen * lambert(place.normal, toSun) * SUN_COLOUR);
+    float outdoors = smoothstep(-6.2, -3.6, surface.p.z); // share of the sky that the gallery's roof leaves open, by eye
+    vec3 sky = (0.3 + 0.7 * outdoors) * mix(COURT_COLOUR, SKY_COLOUR, 0.5 + 0.5 * surface.normal.y);
+    return surface.colour * (sky + seen * lambert(surface.normal, toSun) * SUN_COLOUR);
 }
 
 // The light along a ray: that from its end, that from the mist, and how much mist is in between.
@@ -117,11 +117,11 @@ Seen seenAlong(Ray ray)
 {
     vec3 toSun = sunDirection(), sunRay = lampDirection(toSun, sunSpread, sampleDisc(4));
     vec2 air = boxInterval(ray, AIR_LOW, AIR_HIGH);
-    Place place = courtyardPlaceFrom(ray, air.x > 0.0 ? 0.0 : air.y, hitThreshold, maxSteps);
-    float way = place.open ? SKY : length(place.p - ray.origin);
-    float depth = place.open ? skyFogDepth(ray.origin.y, ray.direction.y, fogDensity, fogScale)
+    Surface surface = courtyardSurfaceFrom(ray, air.x > 0.0 ? 0.0 : air.y, hitThreshold, maxSteps);
+    float way = surface.open ? SKY : length(surface.p - ray.origin);
+    float depth = surface.open ? skyFogDepth(ray.origin.y, ray.direction.y, fogDensity, fogScale)
                              : fogDepth(ray.origin.y, ray.direction.y, way, fogDensity, fogScale);
-    vec3 light = place.open ? skyLight(ray.direction, toSun) : placeLight(place, sunRay);
+    vec3 light = surface.open ? skyLight(ray.direction, toSun) : surfaceLight(surface, sunRay);
     vec3 mist = mistSeen(ray, depth, sunRay) * MIST_SUN;
     return Seen(light, fogLight(ray.direction, toSun, MIST_SKY, mist, FORWARD), way, depth);
 }

@@ -192,8 +192,8 @@ vec3 sceneLight(Ray ray, Hit hit, float ground)
 vec3 rayColour(Ray ray)
 {
     float ground = ray.direction.y < 0.0 ? (SEA - ray.origin.y) / ray.direction.y : 1e6;
-    float place = (float(iPixel.x) + 0.5) / iResolution.x;
-    Hit hit = marchPier(ray, ground, place >= divider);
+    float fraction = (float(iPixel.x) + 0.5) / iResolution.x;
+    Hit hit = marchPier(ray, ground, fraction >= divider);
     int steps = trace.steps;
     if ((VIEW == 1 || VIEW == 2) && trace.end == END_PASSED && ground < far) { // normals and depth: include the water
         traceNormal(vec3(0.0, 1.0, 0.0));

@@ -120,7 +120,7 @@ vec2 waveSlope(vec2 at, float width)
 
 // ---- Where a ray ends ----
 
-struct Place {
+struct Surface {
     vec3  p;        // on the islet, if met
     bool  met;      // the ray has met the islet or its mirror image
     bool  mirrored; // the ray has met the water
@@ -128,7 +128,7 @@ struct Place {
     float down;     // sine of the angle between ray and water
 };
 
-Place placeAlong(Ray ray)
+Surface surfaceAlong(Ray ray)
 {
     vec3 d = ray.direction;
     bool sea = d.y < 0.0;
@@ -139,7 +139,7 @@ Place placeAlong(Ray ray)
     Hit hit = marchCone(ray, interval.x, interval.y, hitThreshold, pixelSpread(), maxSteps);
     // Waves too small for a pixel raise the mirrored direction a little.
     vec3 leaves = sea ? normalize(vec3(d.x + bend.x * down, down + 0.02, d.z + bend.y * down)) : d;
-    return Place(ray.origin + hit.t * d, hit.found, sea && (!hit.found || hit.t > toSea), leaves, down);
+    return Surface(ray.origin + hit.t * d, hit.found, sea && (!hit.found || hit.t > toSea), leaves, down);
 }
 
 // ---- Light ----
@@ -156,11 +156,11 @@ vec3 isletLight(vec3 p, vec3 sun)
 }
 
 // The light along a ray. The sky has been evaluated once, in the direction in which the ray leaves.
-vec3 placeLight(Place place, vec3 sky, vec3 sun)
+vec3 surfaceLight(Surface surface, vec3 sky, vec3 sun)
 {
-    vec3 light = place.met ? isletLight(place.p, sun) : sky;
+    vec3 light = surface.met ? isletLight(surface.p, sun) : sky;
     vec3 water = vec3(0.01, 0.03, 0.04) * tableAmbient(sun);
-    float share = place.mirrored ? schlickShare(min(place.down + 0.04, 1.0), 0.02) : 1.0;
+    float share = surface.mirrored ? schlickShare(min(surface.down + 0.04, 1.0), 0.02) : 1.0;
     return mix(water, light, share);
 }
 
@@ -177,6 +177,6 @@ vec3 developed(vec3 light, vec3 sun)
 vec3 rayColour(Ray ray)
 {
     vec3 sun = sunNow();
-    Place place = placeAlong(ray);
-    return developed(placeLight(place, skyLight(place.leaves, sun), sun), sun);
+    Surface surface = surfaceAlong(ray);
+    return developed(surfaceLight(surface, skyLight(surface.leaves, sun), sun), sun);
 }

@@ -134,10 +134,10 @@ vec4 moonSeen(vec3 direction, Hour now, float width)
 {
     mat3 frame = moonFrame(now.moon, latitude);
     float radius = radians(moonRadius);
-    vec2 place = moonPlace(frame * direction, radius);
-    vec3 light = moonFace(moon, place, width / radius, frame * now.sun, relief);
+    vec2 point = moonPoint(frame * direction, radius);
+    vec3 light = moonFace(moon, point, width / radius, frame * now.sun, relief);
     float spread = lightKept ? min(radians(0.259) / radius, 1.0) : 1.0;
-    return vec4(spread * spread * light, coverage(1.0 - length(place), width / radius));
+    return vec4(spread * spread * light, coverage(1.0 - length(point), width / radius));
 }
 
 // The light of the air: the light of the sun or of dusk, the airglow, and the light of the moon,

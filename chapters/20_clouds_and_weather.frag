@@ -142,7 +142,7 @@ vec3 skyWithClouds(vec3 direction, Lights lights, float width)
 // ---- Sea and land ----
 
 // The point that a ray meets.
-struct Place {
+struct Surface {
     bool  land, water; // both false for the sky
     float t;           // distance to p along the ray; 1e5 for the sky
     vec3  p;
@@ -163,7 +163,7 @@ vec3 waveNormal(vec3 p, vec4 swell, float width)
 }
 
 // The march looks for the coast. The sea is the plane y = 0.
-Place placeAlong(Ray ray)
+Surface surfaceAlong(Ray ray)
 {
     float spread = pixelSpread(), sea = ray.direction.y < 0.0 ? -ray.origin.y / ray.direction.y : 1e5;
     vec2 interval = coastInterval(ray);
@@ -182,40 +182,40 @@ Place placeAlong(Ray ray)
     vec3 mirrored = reflect(ray.direction, normal);
     mirrored = normalize(vec3(mirrored.x, abs(mirrored.y) + 0.02, mirrored.z));
     Ray seen = Ray(water ? p : ray.origin, water ? mirrored : ray.direction);
-    return Place(land, water, t, p, part, normal, grain.x, width, seen);
+    return Surface(land, water, t, p, part, normal, grain.x, width, seen);
 }
 
 // The angle over which a pixel averages the sky, radians. It is larger on the sea, whose waves scatter
 // the mirrored rays.
-float skyWidth(Place place)
+float skyWidth(Surface surface)
 {
-    return place.water ? 0.01 : 2.0 * pixelSpread();
+    return surface.water ? 0.01 : 2.0 * pixelSpread();
 }
 
 // ---- The picture ----
 
 // The light from a point to the eye.
-//   sky  from skyWithClouds along place.seen
-vec3 placeLight(Place place, vec3 direction, vec3 sky, Lights lights)
+//   sky  from skyWithClouds along surface.seen
+vec3 surfaceLight(Surface surface, vec3 direction, vec3 sky, Lights lights)
 {
-    Ray up = shadowRay(place.p, place.normal, lights.sun, 0.02 + place.width);
+    Ray up = shadowRay(surface.p, surface.normal, lights.sun, 0.02 + surface.width);
     vec2 way = coastInterval(up);
-    float lit = march(up, way.x, place.land ? way.y : 0.0, 0.01, 32).found ? 0.0 : 1.0;
-    vec4 colour = coastColour(place.p, place.part, place.normal, place.tone, place.width);
-    vec3 open = lights.sky * (0.6 + 0.4 * place.normal.y) + lit * lights.low * lambert(place.normal, lights.sun);
+    float lit = march(up, way.x, surface.land ? way.y : 0.0, 0.01, 32).found ? 0.0 : 1.0;
+    vec4 colour = coastColour(surface.p, surface.part, surface.normal, surface.tone, surface.width);
+    vec3 open = lights.sky * (0.6 + 0.4 * surface.normal.y) + lit * lights.low * lambert(surface.normal, lights.sun);
     vec3 deep = vec3(0.015, 0.05, 0.055) * (lights.sky + 0.5 * lights.low * lights.sun.y);
-    float share = schlickShare(clamp(-dot(direction, place.normal), 0.0, 1.0), 0.02);
+    float share = schlickShare(clamp(-dot(direction, surface.normal), 0.0, 1.0), 0.02);
     vec3 land = colour.rgb * open + colour.w * lights.lamp * LAMPLIGHT;
-    return place.land ? land : (place.water ? mix(deep, sky, share) : sky);
+    return surface.land ? land : (surface.water ? mix(deep, sky, share) : sky);
 }
 
 // Add the haze lit by the lamp and its beam, then the rain in front of everything, and last the film.
-vec3 developed(vec3 light, Place place, Lights lights)
+vec3 developed(vec3 light, Surface surface, Lights lights)
 {
-    vec3 from = place.seen.origin - LANTERN, beam = vec3(sin(1.2 * iTime + 0.5), 0.03, cos(1.2 * iTime + 0.5));
-    float far = place.land ? place.t : 1e4, haze = 0.03 * lampInFog(from, place.seen.direction, far, 0.05);
-    haze += 0.09 * beamInFog(from, place.seen.direction, beam, vec2(0.1, 0.025), far);
-    haze *= (0.2 + overcastShare(weather)) * (place.water ? 0.3 : 1.0);
+    vec3 from = surface.seen.origin - LANTERN, beam = vec3(sin(1.2 * iTime + 0.5), 0.03, cos(1.2 * iTime + 0.5));
+    float far = surface.land ? surface.t : 1e4, haze = 0.03 * lampInFog(from, surface.seen.direction, far, 0.05);
+    haze += 0.09 * beamInFog(from, surface.seen.direction, beam, vec2(0.1, 0.025), far);
+    haze *= (0.2 + overcastShare(weather)) * (surface.water ? 0.3 : 1.0);
     light += haze * lights.lamp * LAMPLIGHT;
     float drops = rainStreaks(screenPosition(vec2(iPixel) + 0.5), iTime, 2.0 / iResolution.y);
     light = mix(light, lights.sky, 0.35 * rainShare(weather) * drops);
@@ -225,7 +225,7 @@ vec3 developed(vec3 light, Place place, Lights lights)
 vec3 rayColour(Ray ray)
 {
     Lights lights = lightsAt(timeOfDay + hoursPerSecond * iTime);
-    Place place = placeAlong(ray);
-    vec3 sky = skyWithClouds(place.seen.direction, lights, skyWidth(place));
-    return developed(placeLight(place, ray.direction, sky, lights), place, lights);
+    Surface surface = surfaceAlong(ray);
+    vec3 sky = skyWithClouds(surface.seen.direction, lights, skyWidth(surface));
+    return developed(surfaceLight(surface, ray.direction, sky, lights), surface, lights);
 }

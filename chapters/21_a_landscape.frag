@@ -71,7 +71,7 @@ float sceneDistance(vec3 p)
 {
     bool below = p.y < 0.0;
     float land = landDistance(unmirrored(p), asked > 0 ? asked : (below ? min(octaves, 2) : octaves));
-    return land - (below ? mirrorBlur * length(p - bend.place) : 0.0);
+    return land - (below ? mirrorBlur * length(p - bend.point) : 0.0);
 }
 
 // The camera stops above the land and above the water.
@@ -138,9 +138,9 @@ vec3 heavens(vec3 direction, Hour now, float width, bool mirrored)
 {
     vec3 star = skyTurn(hourOfStars(now), LATITUDE) * direction, stars = starLight(star, width) + milkyWay(star);
     mat3 frame = moonFrame(now.moon, LATITUDE);
-    vec2 place = moonPlace(frame * direction, MOON_RADIUS);
-    float rim = width / MOON_RADIUS, inside = 1.0 - smoothstep(1.0 - rim, 1.0 + rim, length(place));
-    return mix(stars, now.dimmed * moonFace(moonMap, place, rim, frame * now.sun, 1.0), mirrored ? 0.0 : inside);
+    vec2 point = moonPoint(frame * direction, MOON_RADIUS);
+    float rim = width / MOON_RADIUS, inside = 1.0 - smoothstep(1.0 - rim, 1.0 + rim, length(point));
+    return mix(stars, now.dimmed * moonFace(moonMap, point, rim, frame * now.sun, 1.0), mirrored ? 0.0 : inside);
 }
 
 // The sky at a given hour, in the given weather.
@@ -164,13 +164,13 @@ vec3 skyLight(vec3 direction, Hour now, bool mirrored, out float open)
 
 // ---- Land ----
 
-struct Place {
+struct Surface {
     vec3  p, normal, colour;
     float lamp; // 1 in a lit window, otherwise 0
     bool  met;  // false for the sky
 };
 
-Place placeAt(vec3 p, vec3 direction, float width, bool met, bool thing)
+Surface surfaceAt(vec3 p, vec3 direction, float width, bool met, bool thing)
 {
     vec2 slope = higherGround(hills(inValley(p.xz)), shore(inValley(p.xz))).yz; // at a grazing angle a pixel covers more ground
     float facing = abs(dot(direction, normalize(vec3(-fromValley(slope), 1.0)).xzy));
@@ -179,19 +179,19 @@ Place placeAt(vec3 p, vec3 direction, float width, bool met, bool thing)
     vec3 normal = normalize(vec3(-fromValley(land.yz), 1.0)).xzy, ofThing = thingNormal(p);
     vec4 paint = thingColour(p, ofThing);
     vec3 colour = landColour(p, direction, normal, land.w, width);
-    return Place(p, thing ? ofThing : normal, thing ? paint.rgb : colour, thing ? paint.w : 0.0, met);
+    return Surface(p, thing ? ofThing : normal, thing ? paint.rgb : colour, thing ? paint.w : 0.0, met);
 }
 
 // The visible share of the disc of the sun or the moon. The ray goes to the upper rim of the disc.
 // The skyline hides the disc from below; its angle below the ray is the smallest gap / distance.
 // Only the first octave of the ridges is evaluated. The shadows of cabin, trees and boat are hard.
 //   radius  of the pixel's footprint
-float lightSeen(Place place, vec3 toLight, float radius)
+float lightSeen(Surface surface, vec3 toLight, float radius)
 {
     vec3 rim = normalize(toLight + vec3(0.0, DISC, 0.0));
-    Ray up = shadowRay(place.p, place.normal, rim, 3.0 * radius);
-    float far = min((HIGHEST - place.p.y) / max(rim.y, 0.02), SHADOW_FAR);
-    far = place.met ? shadowReach(place.normal, toLight, far) : 0.0;
+    Ray up = shadowRay(surface.p, surface.normal, rim, 3.0 * radius);
+    float far = min((HIGHEST - surface.p.y) / max(rim.y, 0.02), SHADOW_FAR);
+    far = surface.met ? shadowReach(surface.normal, toLight, far) : 0.0;
     asked = 1;
     way = oneWay(abs(rim.y));
     float t = 0.0, clear = 1e3;
@@ -211,10 +211,10 @@ float lightSeen(Place place, vec3 toLight, float radius)
     return thing ? 0.0 : discBesideEdge(clear / DISC - 1.0);
 }
 
-vec3 placeLight(Place place, Hour now, float seen)
+vec3 surfaceLight(Surface surface, Hour now, float seen)
 {
-    vec3 open = (0.6 + 0.4 * place.normal.y) * now.sky + seen * lambert(place.normal, now.toLight) * now.beam;
-    return place.colour * open + place.lamp * now.lamp * LAMPLIGHT;
+    vec3 open = (0.6 + 0.4 * surface.normal.y) * now.sky + seen * lambert(surface.normal, now.toLight) * now.beam;
+    return surface.colour * open + surface.lamp * now.lamp * LAMPLIGHT;
 }
 
 // ---- The picture ----
@@ -253,11 +253,11 @@ vec3 rayColour(Ray ray)
     }
 
     // The light at that point, attenuated by mist up to the water, and from there to the eye.
-    Place place = placeAt(p, direction, 2.0 * spread * t + sqrt(waves.variance) * then, met, thing > 0.0);
+    Surface surface = surfaceAt(p, direction, 2.0 * spread * t + sqrt(waves.variance) * then, met, thing > 0.0);
     float open;
     vec3 sky = skyLight(direction, now, lake, open);
-    vec3 light = met ? placeLight(place, now, lightSeen(place, now.toLight, coarseMargin(t))) : sky;
-    traceNormal(place.normal);
+    vec3 light = met ? surfaceLight(surface, now, lightSeen(surface, now.toLight, coarseMargin(t))) : sky;
+    traceNormal(surface.normal);
     float density = mist + 0.1 * (hazeDensity(theWeather) - hazeDensity(1.0));
     vec3 fog = fogLight(direction, now.toLight, 0.5 * now.sky, 0.25 * now.beam, 0.7);
     float height = lake ? 0.0 : ray.origin.y, last = lake ? then : t;

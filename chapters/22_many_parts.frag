@@ -76,9 +76,9 @@ vec3 waterLight(vec3 direction)
 // The shafts: sunlight that the water scatters towards the eye along a ray.
 vec3 shaftLight(Ray ray, float far)
 {
-    float sum = 0.0, length = min(far, 16.0), place = 0.5 + 0.5 * ditherStep(iPixel);
+    float sum = 0.0, length = min(far, 16.0), offset = 0.5 + 0.5 * ditherStep(iPixel);
     for (int i = 0; i < 12; i++) {
-        float t = length * (float(i) + place) / 12.0;
+        float t = length * (float(i) + offset) / 12.0;
         vec3 p = ray.origin + t * ray.direction;
         sum += (caustics(p, 0.40) - 0.72) * exp(-1.2 * t / clearness) * step(p.y, SURFACE);
     }

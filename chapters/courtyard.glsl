@@ -154,11 +154,11 @@ float troughReached(Ray ray)
 //   width  of the pixel on the floor, along x and z, scene units
 vec3 pavingColour(vec3 p, vec2 width)
 {
-    vec2 place = p.xz / COURT_PAVING, across = width / COURT_PAVING;
-    place.x += 0.5 * mod(floor(place.y + 0.5), 2.0);
-    float alongZ = mix(stripes(place.x, COURT_JOINT, across.x), COURT_JOINT, blurred(across.x));
-    float alongX = mix(stripes(place.y, COURT_JOINT, across.y), COURT_JOINT, blurred(across.y));
-    float tone = cellRandom(ivec3(floor(place.x + 0.5), floor(place.y + 0.5), 3));
+    vec2 tile = p.xz / COURT_PAVING, across = width / COURT_PAVING;
+    tile.x += 0.5 * mod(floor(tile.y + 0.5), 2.0);
+    float alongZ = mix(stripes(tile.x, COURT_JOINT, across.x), COURT_JOINT, blurred(across.x));
+    float alongX = mix(stripes(tile.y, COURT_JOINT, across.y), COURT_JOINT, blurred(across.y));
+    float tone = cellRandom(ivec3(floor(tile.x + 0.5), floor(tile.y + 0.5), 3));
     return PAVING * (0.88 + 0.2 * tone) * (1.0 - 0.4 * max(alongZ, alongX));
 }
 
@@ -201,7 +201,7 @@ vec3 courtyardColour(vec3 p, float radius)
 // ---- Where a ray ends ----
 
 // Where the ray of a pixel ends, and the surface there.
-struct Place {
+struct Surface {
     bool  open;   // the ray met only the sky
     vec3  p;      // scene units
     vec3  normal; // length 1; undefined if open
@@ -214,7 +214,7 @@ struct Place {
 //   ray                  from the eye, in the court
 //   tMin                 where the march may begin: up to there the ray is free, scene units
 //   threshold, maxSteps  of marchCone, which also takes pixelSpread()
-Place courtyardPlaceFrom(Ray ray, float tMin, float threshold, int maxSteps)
+Surface courtyardSurfaceFrom(Ray ray, float tMin, float threshold, int maxSteps)
 {
     vec2 interval = boxInterval(ray, COURT_LOW, COURT_HIGH);
     float trough = troughReached(ray);
@@ -231,11 +231,11 @@ Place courtyardPlaceFrom(Ray ray, float tMin, float threshold, int maxSteps)
         traceNormal(normal);
     }
     vec3 colour = onTrough && ground ? pavingColour(p, width) : courtyardColour(p, radius);
-    return Place(!hit.found && !onTrough, p, normal, colour, radius);
+    return Surface(!hit.found && !onTrough, p, normal, colour, radius);
 }
 
-// courtyardPlaceFrom, starting at the eye.
-Place courtyardPlace(Ray ray, float threshold, int maxSteps)
+// courtyardSurfaceFrom, starting at the eye.
+Surface courtyardSurface(Ray ray, float threshold, int maxSteps)
 {
-    return courtyardPlaceFrom(ray, 0.0, threshold, maxSteps);
+    return courtyardSurfaceFrom(ray, 0.0, threshold, maxSteps);
 }

@@ -66,11 +66,11 @@ vec4 partAt(int id, vec3 p)
 }
 
 // The index of the part at a position in the lists.
-int listed(int place)
+int listed(int position)
 {
-    int i = grid.idsAt + (place >> 1);
+    int i = grid.idsAt + (position >> 1);
     vec4 two = 255.0 * texelFetch(reef, ivec2(i & 511, i >> 9), 0);
-    vec2 one = (place & 1) == 0 ? two.xy : two.zw;
+    vec2 one = (position & 1) == 0 ? two.xy : two.zw;
     return int(one.x + 256.0 * one.y + 0.5);
 }
 

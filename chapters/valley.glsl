@@ -304,7 +304,7 @@ vec4 thingColour(vec3 p, vec3 normal)
 // meets.
 struct Bend {
     bool  waves;     // false for level water, which is the same for every ray
-    vec3  place;     // on the water
+    vec3  point;     // on the water
     vec3  direction; // length 1, upwards
 };
 Bend bend = Bend(false, vec3(0.0), vec3(0.0));
@@ -312,7 +312,7 @@ Bend bend = Bend(false, vec3(0.0), vec3(0.0));
 // The point of the world that p represents.
 vec3 unmirrored(vec3 p)
 {
-    vec3 bent = bend.place + length(p - bend.place) * bend.direction;
+    vec3 bent = bend.point + length(p - bend.point) * bend.direction;
     return p.y >= 0.0 ? p : (bend.waves ? bent : vec3(p.x, -p.y, p.z));
 }
 
@@ -320,7 +320,7 @@ vec3 unmirrored(vec3 p)
 //   water  where the ray meets the water
 float thingsAlong(Ray ray, float water, float tMax, float threshold, float spread)
 {
-    vec2 interval = thingsInterval(ray), mirrored = water + thingsInterval(Ray(bend.place, bend.direction));
+    vec2 interval = thingsInterval(ray), mirrored = water + thingsInterval(Ray(bend.point, bend.direction));
     interval.y = min(interval.y, water);
     interval = water < tMax ? intervalUnion(interval, mirrored) : interval;
     float t = interval.x, last = min(interval.y, tMax);

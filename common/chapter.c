@@ -186,7 +186,7 @@ void chapter_visit_files(const struct chapter *chapter, int argc, char **argv,
 {
     struct run run = {0};
     for (int i = 0; i < 2; i++)
-        run.picture[i].request = (struct shader_request){.see = visit, .to = to};
+        run.picture[i].request = (struct shader_request){.visit = visit, .to = to};
     if (run_parse(&run, chapter->stem, chapter->title, &chapter->camera, chapter->tool, argc,
                   argv) &&
         run_find_root(&run) && run_find_shader(&run)) {

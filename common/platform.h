@@ -16,10 +16,10 @@
 
 // What is known about a file; all zeros if it does not exist.
 struct platform_file {
-    bool regular;                // not a folder, pipe or device
-    long long size;              // bytes
-    long long changed;           // time of the last change, nanoseconds since 1970
-    unsigned long long place[2]; // its disk and its number on that disk, which identify it
+    bool regular;                   // not a folder, pipe or device
+    long long size;                 // bytes
+    long long changed;              // time of the last change, nanoseconds since 1970
+    unsigned long long identity[2]; // its disk and its number on that disk, which identify it
 };
 
 // Describe the file at a path, following links.

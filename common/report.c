@@ -11,11 +11,11 @@
 static char last[LINE_SIZE + 2];
 
 // The text with which messages begin.
-static char place[1024];
+static char location[1024];
 
-void report_place(const char *text)
+void report_location(const char *text)
 {
-    snprintf(place, sizeof place, "%s%s", text != NULL ? text : "", text != NULL ? ": " : "");
+    snprintf(location, sizeof location, "%s%s", text != NULL ? text : "", text != NULL ? ": " : "");
 }
 
 // True for a character that a terminal could interpret instead of showing it.
@@ -68,8 +68,8 @@ bool report(const char *format, ...)
 {
     char text[LINE_SIZE];
     va_list arguments;
-    strcpy(text, place);
-    size_t begin = strlen(place), room = sizeof text - begin;
+    strcpy(text, location);
+    size_t begin = strlen(location), room = sizeof text - begin;
     va_start(arguments, format);
     int length = vsnprintf(text + begin, room, format, arguments);
     va_end(arguments);

@@ -13,7 +13,7 @@ bool report(const char *format, ...) __attribute__((format(printf, 1, 2)));
 // Begin every message of report() with a position in a file and ": ", as in "my.txt:3: ", until the
 // next call.
 //   text  the position, which is copied; NULL for none
-void report_place(const char *text);
+void report_location(const char *text);
 
 // Print a text of several lines, such as a shader's errors with their source, on standard error.
 // Control characters other than newlines and tabs are printed as '?'.

@@ -43,7 +43,7 @@ vec3 seenFromMiddle(vec3 eye, vec3 direction, float altitude)
 //   direction  length 1; one below the horizon counts as horizontal
 //   returns    u, turns from north through east, in [-1/2, 1/2], with a jump at the south; v, the square root of the
 //              height above the horizon, where a quarter turn is 1
-vec2 panoramaPlace(vec3 direction)
+vec2 panoramaUV(vec3 direction)
 {
     float level = length(direction.xz);
     float east = level > 0.0 ? direction.x : 1.0; // atan(0, 0) is undefined
@@ -51,13 +51,13 @@ vec2 panoramaPlace(vec3 direction)
                 sqrt(atan(max(direction.y, 0.0), max(level, 1e-20)) / QUARTER_TURN));
 }
 
-// The size of a pixel in a panorama, in u and in v, from the slopes of panoramaPlace without its jump.
+// The size of a pixel in a panorama, in u and in v, from the slopes of panoramaUV without its jump.
 //   width  angle of a pixel, radians
 //   formula  width / (2 pi cos h), width / (pi v), h the height; near the zenith and the horizon, where one of the two
 //            is infinite, the value one pixel's width away
 vec2 panoramaFootprint(vec3 direction, float width)
 {
-    float level = max(length(direction.xz), width), v = panoramaPlace(direction).y;
+    float level = max(length(direction.xz), width), v = panoramaUV(direction).y;
     return width / (2.0 * QUARTER_TURN) * vec2(0.5 / level, 1.0 / max(v, sqrt(width / QUARTER_TURN)));
 }
 
@@ -79,9 +79,9 @@ struct Cloud {
 // high.
 Cloud cloudPanorama(sampler2D panorama, vec3 direction, float turned, float width)
 {
-    vec2 place = panoramaPlace(direction), reach = panoramaFootprint(direction, max(width, 0.006 * place.y * place.y));
+    vec2 uv = panoramaUV(direction), reach = panoramaFootprint(direction, max(width, 0.006 * uv.y * uv.y));
     reach.x = min(reach.x, 0.31 * reach.y);
-    vec4 texel = textureGrad(panorama, place + vec2(turned, 0.0), vec2(reach.x, 0.0), vec2(0.0, reach.y));
+    vec4 texel = textureGrad(panorama, uv + vec2(turned, 0.0), vec2(reach.x, 0.0), vec2(0.0, reach.y));
     return Cloud(texel.x, texel.y, 2.0 * texel.z - 1.0);
 }
 
@@ -97,9 +97,9 @@ Cloud cloudPanorama(sampler2D panorama, vec3 direction, float turned, float widt
 Cloud cloudLayer(sampler2D layer, vec3 eye, vec3 direction, float altitude, float period, float width)
 {
     float climb = max(direction.y, 0.0), t = layerHit(eye.y, climb, altitude);
-    vec2 place = (eye.xz + t * direction.xz) / period;
+    vec2 uv = (eye.xz + t * direction.xz) / period;
     float reach = width * t / (climb + t / EARTH_RADIUS) / period;
-    float cover = textureGrad(layer, place, vec2(reach, 0.0), vec2(0.0, reach)).x;
+    float cover = textureGrad(layer, uv, vec2(reach, 0.0), vec2(0.0, reach)).x;
     return Cloud(cover, 0.9 * cover, 0.0);
 }
 
@@ -237,8 +237,8 @@ float rainStreaks(vec2 screen, float time, float pixel)
         vec2 p = near * (screen + vec2(0.14 * screen.y, 0.0));
         float column = floor(p.x), lot = cellRandom(ivec3(int(column), i, 20));
         float fall = 0.35 * p.y + 5.0 * (1.0 + 0.3 * lot) * time + 31.0 * lot, drop = floor(fall), there = fract(fall);
-        float place = column + mix(wide, 1.0 - wide, fract(7.31 * lot + 0.618 * drop));
-        float streak = max(1.0 - abs(p.x - place) / wide, 0.0);
+        float centre = column + mix(wide, 1.0 - wide, fract(7.31 * lot + 0.618 * drop));
+        float streak = max(1.0 - abs(p.x - centre) / wide, 0.0);
         sum += streak * 0.02 / wide * smoothstep(0.3, 0.6, there) * (1.0 - smoothstep(0.9, 1.0, there));
     }
     return min(sum, 1.0);

@@ -7,18 +7,18 @@
 
 // The position of this sample in its pixel, from (0, 0) at the lower left corner to (1, 1) at the upper right.
 //   screen  as passed to pixelRay
-vec2 placeInPixel(vec2 screen)
+vec2 positionInPixel(vec2 screen)
 {
     return 0.5 * (screen * iResolution.y + iResolution.xy) - vec2(iPixel);
 }
 
 // An offset with the density of a tent, 1 - |x| between -1 and 1, in each coordinate.
-//   place    u in [0, 1], per coordinate
+//   u        u in [0, 1], per coordinate
 //   formula  sqrt(2 u) - 1 up to u = 1/2, else 1 - sqrt(2 - 2 u). The variance is 1/6
-vec2 tentOffset(vec2 place)
+vec2 tentOffset(vec2 u)
 {
-    vec2 side = sqrt(2.0 * min(place, 1.0 - place));
-    return mix(side - 1.0, 1.0 - side, step(0.5, place));
+    vec2 side = sqrt(2.0 * min(u, 1.0 - u));
+    return mix(side - 1.0, 1.0 - side, step(0.5, u));
 }
 
 // The quantile of a share: the value below which this share of a Gaussian of standard deviation 1 lies.
@@ -36,13 +36,13 @@ float gaussianQuantile(float share)
 }
 
 // The offset of a sample for one of three filters.
-//   place    in the unit square
+//   u        in the unit square
 //   kernel   0 a box, the pixel itself; 1 a tent over 2 x 2 pixels; 2 a Gaussian of standard deviation 0.5 pixels
 //   returns  from the pixel's middle, pixels
-vec2 filterOffset(vec2 place, int kernel)
+vec2 filterOffset(vec2 u, int kernel)
 {
-    vec2 gaussian = 0.5 * vec2(gaussianQuantile(place.x), gaussianQuantile(place.y));
-    return kernel == 0 ? place - 0.5 : (kernel == 1 ? tentOffset(place) : gaussian);
+    vec2 gaussian = 0.5 * vec2(gaussianQuantile(u.x), gaussianQuantile(u.y));
+    return kernel == 0 ? u - 0.5 : (kernel == 1 ? tentOffset(u) : gaussian);
 }
 
 // The point of the screen that the ray of this sample passes through, instead of the middle of its cell.
@@ -56,6 +56,6 @@ vec2 filteredScreen(vec2 screen, int kernel, bool jitter, int dimension)
 {
     vec2 lot = vec2(pixelRandom(dimension), pixelRandom(dimension + 1)) - 0.5;
     float cell = jitter && iSamples > 1 ? inversesqrt(float(iSamples)) : 0.0;
-    vec2 offset = filterOffset(placeInPixel(screen) + cell * lot, kernel);
+    vec2 offset = filterOffset(positionInPixel(screen) + cell * lot, kernel);
     return screenPosition(vec2(iPixel) + 0.5 + offset);
 }

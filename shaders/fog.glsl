@@ -46,7 +46,7 @@ float skyFogDepth(float height, float climb, float density, float scale)
 //   formula  t = -(scale / climb) log(1 - x), x = depth climb / (density exp(-height / scale) scale); where
 //            |x| < 0.02, the first terms of the series, depth / b (1 + x / 2 + x^2 / 3 + x^3 / 4), b the
 //            density at the start of the ray
-float fogPlace(float height, float climb, float depth, float density, float scale)
+float inverseFogDepth(float height, float climb, float depth, float density, float scale)
 {
     float start = max(density * exp(-height / scale), 1e-12);
     float x = depth * climb / (start * scale);
@@ -105,8 +105,8 @@ float lampInFog(vec3 from, vec3 direction, float far, float size)
 float beamInFog(vec3 from, vec3 direction, vec3 beam, vec2 wide, float far)
 {
     float nearest = -dot(from, direction), facing = dot(beam, direction), across = max(1.0 - facing * facing, 0.002);
-    float along = max((dot(from, beam) + facing * nearest) / across, 0.0), place = nearest + along * facing;
-    float width = wide.x + wide.y * along, off = length(from + place * direction - along * beam) / width;
-    float ahead = smoothstep(0.0, 1.0, place) * smoothstep(-0.5, 0.5, far - place);
+    float along = max((dot(from, beam) + facing * nearest) / across, 0.0), t = nearest + along * facing;
+    float width = wide.x + wide.y * along, off = length(from + t * direction - along * beam) / width;
+    float ahead = smoothstep(0.0, 1.0, t) * smoothstep(-0.5, 0.5, far - t);
     return exp(-off * off) / width * ahead * inversesqrt(across);
 }

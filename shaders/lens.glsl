@@ -12,15 +12,15 @@ vec2 sampleDisc(int dimension)
 
 // The ray through a point of the lens that meets the ray through the lens's centre where the latter is in focus.
 //   ray      through the centre of the lens, from perspectiveRay
-//   place    point of the lens, in radii of the aperture: in the unit disc, from discPoint; (0, 0) returns ray
+//   point    point of the lens, in radii of the aperture: in the unit disc, from discPoint; (0, 0) returns ray
 //   radius   of the aperture, scene units, >= 0
 //   focus    distance of the plane in focus, along the view direction, scene units, > 0
 //   formula  from A towards P, where P is the point of ray on the plane in focus and A the point of the lens. A thin
 //            lens sends all light that it receives from P to one point of the film
-Ray lensRay(Ray ray, vec2 place, float radius, float focus)
+Ray lensRay(Ray ray, vec2 point, float radius, float focus)
 {
     vec3 inFocus = ray.direction * (focus / dot(ray.direction, iCameraForward));
-    vec3 aside = radius * (place.x * iCameraRight + place.y * iCameraUp);
+    vec3 aside = radius * (point.x * iCameraRight + point.y * iCameraUp);
     return Ray(ray.origin + aside, normalize(inFocus - aside));
 }
 

@@ -8,7 +8,7 @@
 
 #include "cover.glsl"
 #include "inputs.glsl"
-#include "places.glsl"
+#include "projection.glsl"
 #include "plot.glsl"
 #include "room.glsl"
 #include "scene.glsl"
@@ -68,7 +68,7 @@ void main()
 
 void main()
 {
-    fragColour = placeOf(placeWanted(int(gl_FragCoord.x)));
+    fragColour = projectedPixel(projectedPoint(int(gl_FragCoord.x)));
 }
 
 #elif VIEW == 10

@@ -28,8 +28,8 @@ const float OBLIQUITY = 23.4393;
 mat3 skyTurn(float hour, float latitude)
 {
     float angle = 2.0 * NIGHT_PI / SIDEREAL_DAY * (hour - 12.0), c = cos(angle), s = sin(angle);
-    float place = radians(latitude);
-    vec3 meridian = vec3(-sin(place), cos(place), 0.0), pole = vec3(cos(place), sin(place), 0.0);
+    float phi = radians(latitude);
+    vec3 meridian = vec3(-sin(phi), cos(phi), 0.0), pole = vec3(cos(phi), sin(phi), 0.0);
     vec3 west = vec3(0.0, 0.0, -1.0);
     return transpose(mat3(c * meridian + s * west, s * meridian - c * west, pole));
 }
@@ -48,8 +48,8 @@ vec3 moonDirection(float hour, float latitude, float declination, float age)
     vec3 there = vec3(cos(moon), cos(lean) * sin(moon), sin(lean) * sin(moon)); // in the stars' frame
     float turn = atan(cos(lean) * sine, cosine) + radians(15.0 * (hour - 12.0));
     float meridian = there.x * cos(turn) + there.y * sin(turn), west = there.x * sin(turn) - there.y * cos(turn);
-    float place = radians(latitude);
-    return vec3(there.z * cos(place) - meridian * sin(place), there.z * sin(place) + meridian * cos(place), -west);
+    float phi = radians(latitude);
+    return vec3(there.z * cos(phi) - meridian * sin(phi), there.z * sin(phi) + meridian * cos(phi), -west);
 }
 
 // ---- Stars ----
@@ -77,7 +77,7 @@ const float STAR_FAINTEST = 5.75e-13;
 vec3 starLight(vec3 direction, float width)
 {
     float rings = float(STAR_RINGS), radius = min(1.761 * width, 0.3536 / rings);
-    float place = rings * sqrt(1.0 - min(abs(direction.z), 1.0)), outer = floor(place + 0.5);
+    float fromPole = rings * sqrt(1.0 - min(abs(direction.z), 1.0)), outer = floor(fromPole + 0.5);
     vec4 ring = vec4(outer - 1.0, outer - 1.0, outer, outer);
     vec4 past = step(rings, ring), before = step(ring, vec4(-0.5)); // 1 beyond the equator; 1 beyond the pole
     ring = clamp(ring, 0.0, rings - 1.0);
@@ -202,7 +202,7 @@ mat3 moonFrame(vec3 moon, float latitude)
 //   radius   angular radius of the moon, radians; the true one is 0.00452
 //   returns  x right, y up, in radii of the disc; far outside if the ray points away from the moon
 //   formula  seen.xy / sin(radius)
-vec2 moonPlace(vec3 seen, float radius)
+vec2 moonPoint(vec3 seen, float radius)
 {
     return seen.z < 0.0 ? seen.xy / sin(radius) : vec2(1e3);
 }
@@ -210,7 +210,7 @@ vec2 moonPlace(vec3 seen, float radius)
 // The light of the moon's face above the air, lit by the sun and the Earth.
 //   face     textures/moon.png, linear: the albedo / 0.40, and the slopes to the right and upwards, with 0 for
 //            -0.30 and 1 for 0.30
-//   place    from moonPlace; a point outside the disc counts as on the rim
+//   point    from moonPoint; a point outside the disc counts as on the rim
 //   width    of the pixel, in radii
 //   toSun    in the moon's frame, length 1
 //   relief   factor by which the slopes are exaggerated
@@ -222,12 +222,12 @@ vec2 moonPlace(vec3 seen, float radius)
 // Source: H. Seeliger, 'Zur Photometrie zerstreut reflectirender Substanzen', Munich 1888; exp(-0.94 g) is fitted by
 // eye to the light of the whole moon in C. W. Allen, 'Astrophysical quantities' (1973), within 10 % from 0 to 150
 // degrees.
-vec3 moonFace(sampler2D face, vec2 place, float width, vec3 toSun, float relief)
+vec3 moonFace(sampler2D face, vec2 point, float width, vec3 toSun, float relief)
 {
-    place /= max(length(place), 1.0);
-    vec3 normal = vec3(place, sqrt(max(1.0 - dot(place, place), 0.0)));
+    point /= max(length(point), 1.0);
+    vec3 normal = vec3(point, sqrt(max(1.0 - dot(point, point), 0.0)));
     vec2 foot = vec2(0.47 * width, 0.0);
-    vec3 ground = textureGrad(face, 0.5 + 0.47 * place, foot.xy, foot.yx).xyz;
+    vec3 ground = textureGrad(face, 0.5 + 0.47 * point, foot.xy, foot.yx).xyz;
     float albedo = 0.40 * ground.x, m = dot(normal, toSun);
     float rise = 0.30 * dot(2.0 * ground.yz - 1.00392, toSun.xy - m * normal.xy);
     m = clamp(m - relief * rise * smoothstep(-0.05, 0.02, m), 0.0, 1.0);

@@ -67,7 +67,7 @@ vec3 cosineDirection(vec3 normal, vec2 square)
 // The share of side x side rays that reach the sky: one ray for a random point in each of side x side cells of the
 // unit square. Of the k x k samples of a pixel, each takes a different one of the k x k parts of the cell, and each
 // ray uses a different order, so all samples together have one ray in each of (k side)^2 cells.
-//   place      on the surface, or a little above it, scene units
+//   p          on the surface, or a little above it, scene units
 //   normal     length 1
 //   offset     how far above the surface the rays start, as for shadowRay
 //   far        how far to search, scene units
@@ -75,7 +75,7 @@ vec3 cosineDirection(vec3 normal, vec2 square)
 //   threshold, maxSteps  of the march
 //   dimension  the first of 2 side^2 dimensions of pixelRandom that are used
 // The mean of this share over the samples of a pixel tends to the openness.
-float skyReaching(vec3 place, vec3 normal, float offset, float far, int side, float threshold,
+float skyReaching(vec3 p, vec3 normal, float offset, float far, int side, float threshold,
                   int maxSteps, int dimension)
 {
     float arrived = 0.0;
@@ -85,7 +85,7 @@ float skyReaching(vec3 place, vec3 normal, float offset, float far, int side, fl
         int part = (iSample + i) % (parts * parts);
         lot = (vec2(part % parts, part / parts) + lot) / float(parts);
         vec2 square = (vec2(i % side, i / side) + lot) / float(side);
-        Ray ray = shadowRay(place, normal, cosineDirection(normal, square), offset);
+        Ray ray = shadowRay(p, normal, cosineDirection(normal, square), offset);
         arrived += lightReaching(ray, far, threshold, maxSteps);
     }
     return side > 0 ? arrived / float(side * side) : 1.0;
@@ -104,21 +104,21 @@ float tapHeight(int k, float reach)
 }
 
 // An estimate of the openness from five distances along the normal.
-//   place    on the surface, scene units; normal of length 1
+//   p        on the surface, scene units; normal of length 1
 //   reach    height of the last tap, > 0, scene units: anything farther away is ignored
 //   strength how much of the light a tap removes where it finds another surface: 1 for a point that is
 //            enclosed, 1/2 for a point beside a single wall
 //   formula  1 - strength times the mean of 1 - d_k / h_k, each in [0, 1], h_k = tapHeight, d_k = the scene's
-//            distance at place + h_k normal; never less than 0
+//            distance at p + h_k normal; never less than 0
 //   returns  1 where no tap is nearer to anything than to the surface itself: with an exact distance, on a single
 //            plane, ball or other convex solid. It is neither an upper nor a lower bound of the openness
 // Source: after A. Evans, 'Fast approximations for global illumination on dynamic scenes', SIGGRAPH 2006.
-float openByTaps(vec3 place, vec3 normal, float reach, float strength)
+float openByTaps(vec3 p, vec3 normal, float reach, float strength)
 {
     float hidden = 0.0;
     for (int k = 0; k < TAPS; k++) {
         float height = tapHeight(k, reach);
-        hidden += clamp(1.0 - distanceAt(place + height * normal) / height, 0.0, 1.0);
+        hidden += clamp(1.0 - distanceAt(p + height * normal) / height, 0.0, 1.0);
     }
     return max(1.0 - strength * hidden / float(TAPS), 0.0);
 }

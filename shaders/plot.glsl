@@ -22,16 +22,16 @@ const vec3 PLOT_EMPTY     = vec3(0.99, 0.88, 0.72);
 const vec3 PLOT_THRESHOLD = vec3(0.42, 0.12, 0.55);
 
 // The distance of a point from the segment between two others, in pixels.
-float plotLine(vec2 place, vec2 from, vec2 to)
+float plotLine(vec2 point, vec2 from, vec2 to)
 {
     vec2 way = to - from;
-    float along = clamp(dot(place - from, way) / max(dot(way, way), 1e-9), 0.0, 1.0);
-    return length(place - from - along * way);
+    float along = clamp(dot(point - from, way) / max(dot(way, way), 1e-9), 0.0, 1.0);
+    return length(point - from - along * way);
 }
 
 // The position of a distance at t, in pixels of the picture. A point far outside the picture is moved closer to
 // it, so that lines to the point keep their precision.
-vec2 plotPlace(float t, float distance)
+vec2 plotPoint(float t, float distance)
 {
     float up = clamp(distance / iPlotFrame.y, -4.0 * iResolution.y, 4.0 * iResolution.y);
     return vec2((t - iSliceFrame.x) / iSliceFrame.z, iPlotFrame.x + up);
@@ -53,9 +53,9 @@ float plotCurve(Ray ray, vec2 pixel)
     vec2 before = vec2(0.0);
     for (int i = -2; i <= 2; i++) { // to both sides of the pixel, over the width of the line
         float t = iSliceFrame.x + (pixel.x + 0.7 * pen * float(i)) * iSliceFrame.z;
-        vec2 place = plotPlace(t, sceneDistance(ray.origin + t * ray.direction));
-        nearest = i == -2 ? nearest : min(nearest, plotLine(pixel, before, place));
-        before = place;
+        vec2 point = plotPoint(t, sceneDistance(ray.origin + t * ray.direction));
+        nearest = i == -2 ? nearest : min(nearest, plotLine(pixel, before, point));
+        before = point;
     }
     return lineCover(nearest, 2.2 * pen);
 }
@@ -69,16 +69,16 @@ vec3 plotSteps(vec3 colour, vec2 pixel)
         vec2 step = sliceStep(k), next = sliceStep(min(k + 1, iMarchSteps - 1));
         bool current = iMarchStep >= 0.0 && k == steps - 1;
         bool goes = k + 1 < iMarchSteps, ends = k + 1 == iMarchSteps && iPlotEnd == END_HIT;
-        vec2 from = plotPlace(step.x, step.y), foot = plotPlace(step.x, 0.0);
-        vec2 end = plotPlace(step.x + abs(step.y), 0.0);
-        vec2 to = plotPlace(goes ? next.x : ends ? step.x : step.x + step.y, step.y);
+        vec2 from = plotPoint(step.x, step.y), foot = plotPoint(step.x, 0.0);
+        vec2 end = plotPoint(step.x + abs(step.y), 0.0);
+        vec2 to = plotPoint(goes ? next.x : ends ? step.x : step.x + step.y, step.y);
         float slope = from.y - (pixel.x - from.x) * (from.y - foot.y) / max(end.x - from.x, 1e-3);
         bool below = pixel.x >= from.x && pixel.x < end.x && pixel.y > foot.y && pixel.y < slope;
         promised = max(promised, below ? 1.0 : 0.0);
         slopes = max(slopes, lineCover(plotLine(pixel, from, end), pen));
         float stair = lineCover(plotLine(pixel, from, to), 1.5 * pen);
         if (k + 1 < steps)
-            stair = max(stair, lineCover(plotLine(pixel, to, plotPlace(next.x, next.y)), 1.5 * pen));
+            stair = max(stair, lineCover(plotLine(pixel, to, plotPoint(next.x, next.y)), 1.5 * pen));
         float head = min(8.0 * pen, 0.6 * (to.x - from.x)), behind = to.x - pixel.x;
         bool tip = current && to.x - from.x > 4.0 * pen && behind > 0.0 && behind < head;
         stair = max(stair, tip ? lineCover(pixel.y - to.y, 0.9 * behind) : 0.0);
@@ -98,14 +98,14 @@ vec3 plotEnd(vec3 colour, vec2 pixel, float cell)
     float pen = slicePen();
     if (iMarchSteps == 0 || sliceSteps() < iMarchSteps)
         return colour;
-    vec2 last = sliceStep(iMarchSteps - 1), place = plotPlace(last.x, last.y), from = pixel - place;
+    vec2 last = sliceStep(iMarchSteps - 1), point = plotPoint(last.x, last.y), from = pixel - point;
     float cross = max(abs(from.x), abs(from.y)) < 5.0 * pen ? lineCover((abs(from.x) - abs(from.y)) * 0.7, 1.8 * pen) : 0.0;
     float mark = iPlotEnd == END_HIT ? lineCover(length(from) - 5.5 * pen, 1.8 * pen) : cross;
-    vec2 corner = floor(place / cell) + vec2(iPlotEnd == END_HIT ? -5.0 : -7.0, 7.0);
+    vec2 corner = floor(point / cell) + vec2(iPlotEnd == END_HIT ? -5.0 : -7.0, 7.0);
     // An end outside the picture is named in the corner, where any word fits.
     vec2 most = floor(vec2(iResolution.x / cell, iPlotFrame.z / cell)) - vec2(32.0, 8.0);
     float shorter = iPlotEnd == END_HIT ? 20.0 : iPlotEnd == END_STEPS ? 0.0 : 15.0;
-    corner = place.x > iResolution.x ? most : min(corner, most + vec2(shorter, 0.0));
+    corner = point.x > iResolution.x ? most : min(corner, most + vec2(shorter, 0.0));
     int word = iPlotEnd == END_HIT ? SIGN_HIT : iPlotEnd == END_STEPS ? SIGN_GIVEN_UP : SIGN_MISS;
     vec2 ground = pixel / cell - corner;
     float width = iPlotEnd == END_HIT ? 8.0 : iPlotEnd == END_STEPS ? 27.0 : 14.0;
@@ -118,9 +118,9 @@ vec3 plotEnd(vec3 colour, vec2 pixel, float cell)
 // lines.
 vec3 plotAxis(vec3 colour, vec2 pixel, float cell)
 {
-    float pen = slicePen(), left = max(plotPlace(0.0, 0.0).x, 26.0 * cell);
+    float pen = slicePen(), left = max(plotPoint(0.0, 0.0).x, 26.0 * cell);
     float tick = floor((pixel.y - iPlotFrame.x) * iPlotFrame.y / iPlotTick + 0.5);
-    float off = pixel.y - plotPlace(0.0, tick * iPlotTick).y;
+    float off = pixel.y - plotPoint(0.0, tick * iPlotTick).y;
     bool room = iPlotFrame.z - pixel.y + off > 12.0 * cell;
     if (pixel.x < left)
         colour = SLICE_PAPER;
@@ -146,9 +146,9 @@ vec3 plotLimit(vec3 colour, vec2 pixel, float cell)
     float pen = slicePen();
     float t = iSliceFrame.x + pixel.x * iSliceFrame.z, limit = plotThreshold(t);
     bool dash = fract(pixel.x / (10.0 * pen)) < 0.6 && limit > 0.0 && t > 0.0;
-    float line = dash ? lineCover(pixel.y - plotPlace(t, limit).y, 1.4 * pen) : 0.0;
+    float line = dash ? lineCover(pixel.y - plotPoint(t, limit).y, 1.4 * pen) : 0.0;
     float right = iResolution.x - 38.0 * cell;
-    float up = plotPlace(0.0, plotThreshold(iSliceFrame.x + right * iSliceFrame.z)).y;
+    float up = plotPoint(0.0, plotThreshold(iSliceFrame.x + right * iSliceFrame.z)).y;
     vec2 corner = vec2(floor(right / cell), floor(up / cell) + 2.0);
     bool named = limit > 0.0 && up - iPlotFrame.x > 3.0 * pen;
     return mix(colour, PLOT_THRESHOLD, max(line, named ? wordCover(SIGN_THRESHOLD, pixel - cell * corner) : 0.0));

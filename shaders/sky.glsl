@@ -65,10 +65,10 @@ vec3 sunDirection(float hour, float latitude, float declination)
 {
     float k = sin(radians(7.5 * (mod(hour, 24.0) - 12.0))); // of H / 2, whose cosine is not negative
     vec2 turn = vec2(1.0 - 2.0 * k * k, 2.0 * k * sqrt(max(1.0 - k * k, 0.0)));
-    vec2 place = vec2(cos(radians(latitude)), sin(radians(latitude)));
+    vec2 observer = vec2(cos(radians(latitude)), sin(radians(latitude)));
     vec2 season = vec2(cos(radians(declination)), sin(radians(declination)));
-    return vec3(place.x * season.y - place.y * season.x * turn.x,
-                place.y * season.y + place.x * season.x * turn.x, -season.x * turn.y);
+    return vec3(observer.x * season.y - observer.y * season.x * turn.x,
+                observer.y * season.y + observer.x * season.x * turn.x, -season.x * turn.y);
 }
 
 // The share of a ray that the disc of the sun or the moon covers: 1 inside, 0 outside, soft at the rim.

@@ -45,7 +45,7 @@ float drawnOut(float sine, float k)
 // Column (x) and row (y) of the sky in a table: 0 is the centre of the first one, 1 that of the last one.
 //   sun        sine of the sun's height; below LOWEST_SUN it counts as LOWEST_SUN
 //   direction  sine of the direction's height; below 0 it counts as 0
-vec2 skyPlace(float sun, float direction)
+vec2 skyUV(float sun, float direction)
 {
     float lowest = drawnOut(LOWEST_SUN, SKY_WIDTH.x), column = drawnOut(max(sun, LOWEST_SUN), SKY_WIDTH.x);
     return vec2((column - lowest) / (1.0 - lowest), drawnOut(max(direction, 0.0), SKY_WIDTH.y));
@@ -66,7 +66,7 @@ struct SkyScale {
 // looks; in twilight the light decreases by a factor of 2 to 9 for each degree that the sun sinks, that of dust by a
 // factor of 11 to 33. Light spans many powers of ten, and a byte does not.
 //   sun      sine of the sun's height
-//   row      from skyPlace, in [0, 1]
+//   row      from skyUV, in [0, 1]
 //   formula  fitted; the remaining factor is in the table, and lies in [0, 1]. In a few texels at dusk, where dust
 //            sends little of the light, its green would exceed 1 and is cut off
 SkyScale skyScale(float sun, float row)
@@ -117,7 +117,7 @@ float levelCosine(vec3 direction, vec3 sun)
 // The weight of the sunward table in the light that was scattered once.
 //   a        from levelCosine
 //   sun      sine of the sun's height
-//   row      from skyPlace
+//   row      from skyUV
 //   formula  ((1 + a) / 2)^p, p = 1 + (q - 1) (1 - 0.28 a), log2 q = 0.6 + 0.37 d - 2.75 row, in [0, 6], d the
 //            degrees by which the sun is below the horizon. By day p is 1, because the light without its phases is
 //            almost linear in a; in twilight the glow contracts, most of all near the horizon. At the zenith any share
@@ -141,12 +141,12 @@ float moreShare(float a, float sun, float row)
 // The light of one storey of a table. The light of a low sun is redder than the screen's red, with a blue a little
 // below 0, which no colour of a picture can represent; and near 0 a screen distinguishes more values of blue than a
 // byte has. The fourth number contains the missing part.
-//   place   from skyPlace
+//   uv      from skyUV
 //   storey  0 air, 1 dust, 2 more
 //   scale   of the storey
-vec3 storeyLight(sampler2D table, vec2 place, float storey, vec3 scale)
+vec3 storeyLight(sampler2D table, vec2 uv, float storey, vec3 scale)
 {
-    vec2 texel = 0.5 + place * (SKY_TABLE - 1.0) + vec2(0.0, storey * SKY_TABLE.y);
+    vec2 texel = 0.5 + uv * (SKY_TABLE - 1.0) + vec2(0.0, storey * SKY_TABLE.y);
     vec4 light = textureLod(table, texel / vec2(SKY_TABLE.x, 3.0 * SKY_TABLE.y), 0.0);
     return scale * light.rgb + vec3(0.0, 0.0, BLUE_FINE * scale.r * (light.a - NO_BLUE));
 }
@@ -154,15 +154,15 @@ vec3 storeyLight(sampler2D table, vec2 place, float storey, vec3 scale)
 // The light of a table in a direction after one scattering: that of air and dust, each with the share that is scattered
 // in this direction.
 //   c  cosine of the angle to the sun
-vec3 onceLight(sampler2D table, vec2 place, float c, SkyScale scale)
+vec3 onceLight(sampler2D table, vec2 uv, float c, SkyScale scale)
 {
-    return phaseAir(c) * storeyLight(table, place, 0.0, scale.air) + phaseDust(c) * storeyLight(table, place, 1.0, scale.dust);
+    return phaseAir(c) * storeyLight(table, uv, 0.0, scale.air) + phaseDust(c) * storeyLight(table, uv, 1.0, scale.dust);
 }
 
 // All the light of a table in a direction. The result is exact in the middle of the table's half of the sky.
-vec3 tableLight(sampler2D table, vec2 place, float c, SkyScale scale)
+vec3 tableLight(sampler2D table, vec2 uv, float c, SkyScale scale)
 {
-    return onceLight(table, place, c, scale) + storeyLight(table, place, 2.0, scale.more);
+    return onceLight(table, uv, c, scale) + storeyLight(table, uv, 2.0, scale.more);
 }
 
 // The light of the clear sky, without the sun's disc: the light that the air of a round Earth scatters.
@@ -173,13 +173,13 @@ vec3 tableLight(sampler2D table, vec2 place, float c, SkyScale scale)
 //   formula        both tables mixed, by sunwardShare for light scattered once and by moreShare for the rest
 vec3 tableSky(sampler2D sunward, sampler2D away, vec3 direction, vec3 sun)
 {
-    vec2 place = skyPlace(sun.y, direction.y);
-    SkyScale scale = skyScale(sun.y, place.y);
+    vec2 uv = skyUV(sun.y, direction.y);
+    SkyScale scale = skyScale(sun.y, uv.y);
     float c = dot(direction, sun), a = levelCosine(direction, sun);
-    vec3 farOnce = onceLight(away, place, c, scale), nearOnce = onceLight(sunward, place, c, scale);
-    vec3 farMore = storeyLight(away, place, 2.0, scale.more), nearMore = storeyLight(sunward, place, 2.0, scale.more);
-    vec3 light = mix(farOnce, nearOnce, sunwardShare(a, sun.y, place.y));
-    return max(light + mix(farMore, nearMore, moreShare(a, sun.y, place.y)), 0.0);
+    vec3 farOnce = onceLight(away, uv, c, scale), nearOnce = onceLight(sunward, uv, c, scale);
+    vec3 farMore = storeyLight(away, uv, 2.0, scale.more), nearMore = storeyLight(sunward, uv, 2.0, scale.more);
+    vec3 light = mix(farOnce, nearOnce, sunwardShare(a, sun.y, uv.y));
+    return max(light + mix(farMore, nearMore, moreShare(a, sun.y, uv.y)), 0.0);
 }
 
 // ---- The sun ----
@@ -207,8 +207,8 @@ vec3 tableSunlight(vec3 sun)
 vec3 tableSun(sampler2D table, vec3 direction, vec3 sun, float radius)
 {
     float x = length(direction - sun) / radius, height = max(direction.y, 0.0);
-    vec2 place = vec2(sqrt(min(x / SUN_REACH, 1.0)), drawnOut(height, 0.15));
-    vec3 share = textureLod(table, (0.5 + place * (SUN_TABLE - 1.0)) / SUN_TABLE, 0.0).rgb;
+    vec2 uv = vec2(sqrt(min(x / SUN_REACH, 1.0)), drawnOut(height, 0.15));
+    vec3 share = textureLod(table, (0.5 + uv * (SUN_TABLE - 1.0)) / SUN_TABLE, 0.0).rgb;
     float spread = inversesqrt(1.0 + 0.054 * x * x), inside = 1.0 - smoothstep(0.95, 1.1, x);
     float profile = mix(0.004 * spread * spread * spread, 1.0, inside) * smoothstep(-4.0 * radius, -radius, sun.y);
     return 15.0 * exp(-0.1 * airMass(height)) / (radius * radius) * profile * share;

@@ -111,8 +111,8 @@ float stepNumber(int step, vec2 pixel, vec2 position, float room)
     float cell = float(signCell());
     float width = float(numberWidth(step, 0));
     vec2 corner = floor(position / cell) - vec2(floor(0.5 * width), -4.0);
-    vec2 place = floor(pixel / cell) - corner;
-    bool ground = place.x >= -1.0 && place.x <= width && place.y >= -1.0 && place.y <= 5.0;
+    vec2 at = floor(pixel / cell) - corner;
+    bool ground = at.x >= -1.0 && at.x <= width && at.y >= -1.0 && at.y <= 5.0;
     bool cut = abs(position.x - 0.5 * iResolution.x) > 0.5 * (iResolution.x - (width + 2.0) * cell);
     if (!ground || cut || room < (width + 4.0) * cell)
         return 0.0;
@@ -205,8 +205,8 @@ vec3 sliceAxis(vec3 colour, vec2 point, vec2 pixel)
         mark = max(mark, lineCover((point.x - tick * iSliceTick) / iSliceFrame.z, 1.3 * pen));
     int number = int(tick) * iSliceTickScaled;
     float width = float(numberWidth(number, iSliceDecimals));
-    float place = floor((tick * iSliceTick - iSliceFrame.x) / iSliceFrame.z / cell);
-    vec2 corner = vec2(place - floor(0.5 * width), 3.0);
+    float column = floor((tick * iSliceTick - iSliceFrame.x) / iSliceFrame.z / cell);
+    vec2 corner = vec2(column - floor(0.5 * width), 3.0);
     mark = max(mark, numberCover(number, iSliceDecimals, pixel - cell * corner));
     return mix(colour, SLICE_INK, mark);
 }

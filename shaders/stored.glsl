@@ -30,13 +30,13 @@ struct StoredCell {
 //   q  in the cube from -1 to 1
 StoredCell storedCell(sampler3D grid, vec3 q)
 {
-    vec3 place = (0.5 + 0.5 * q) * float(STORED_SIDE - 1);
-    ivec3 low = clamp(ivec3(floor(place)), ivec3(0), ivec3(STORED_SIDE - 2));
+    vec3 position = (0.5 + 0.5 * q) * float(STORED_SIDE - 1);
+    ivec3 low = clamp(ivec3(floor(position)), ivec3(0), ivec3(STORED_SIDE - 2));
     vec4 plane[2];
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 4; i++)
             plane[k][i] = storedValue(grid, low + ivec3(i % 2, i / 2, k));
-    return StoredCell(plane[0], plane[1], place - vec3(low));
+    return StoredCell(plane[0], plane[1], position - vec3(low));
 }
 
 // Trilinear interpolation: a mean of the eight values, weighted by products of the shares.

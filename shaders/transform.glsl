@@ -41,18 +41,18 @@ mat3 rotationZ(float angle)
 
 // The pose of an object: turned first, then moved.
 struct Pose {
-    vec3 place; // position of its origin, scene units
+    vec3 position; // position of its origin, scene units
     mat3 turn;  // a rotation
 };
 
 // A point in the coordinates of an object with a pose: moved back, then turned back. In GLSL, row times matrix is
 // the transposed matrix times the column, and the transposed matrix is the inverse rotation.
 //   p        point, scene units
-//   formula  transpose(turn) (p - place)
+//   formula  transpose(turn) (p - position)
 //   sd(seenFrom(pose, p))  exact where sd is
 vec3 seenFrom(Pose pose, vec3 p)
 {
-    return (p - pose.place) * pose.turn;
+    return (p - pose.position) * pose.turn;
 }
 
 // ---- Linear maps ----

@@ -33,16 +33,16 @@ const float STEPS_SHOWN = 64.0;
 vec3 stepLegend(vec3 colour, vec2 pixel)
 {
     float unit = float(signCell());
-    vec2 place = floor(pixel / unit) - vec2(7.0, 5.0);   // in cells, from the ramp's corner
+    vec2 cell = floor(pixel / unit) - vec2(7.0, 5.0);   // in cells, from the ramp's corner
     bool fits = iResolution.x >= 92.0 * unit && iResolution.y >= 40.0 * unit;
-    if (!fits || place.x < -4.0 || place.x > 73.0 || place.y < -2.0 || place.y > 12.0)
+    if (!fits || cell.x < -4.0 || cell.x > 73.0 || cell.y < -2.0 || cell.y > 12.0)
         return colour;
-    bool ramp = place.x >= 0.0 && place.x <= 64.0 && place.y >= 0.0 && place.y < 4.0;
-    colour = ramp ? evenRamp(place.x / 64.0) : vec3(0.0);
+    bool ramp = cell.x >= 0.0 && cell.x <= 64.0 && cell.y >= 0.0 && cell.y < 4.0;
+    colour = ramp ? evenRamp(cell.x / 64.0) : vec3(0.0);
     for (int steps = 0; steps <= int(STEPS_SHOWN); steps += 16) {
         float tick = 64.0 * float(steps) / STEPS_SHOWN;
         float number = numberCover(steps, 0, pixel - unit * vec2(tick + 7.0, 11.0));
-        colour = mix(colour, vec3(1.0), place == vec2(tick, 4.0) ? 1.0 : number);
+        colour = mix(colour, vec3(1.0), cell == vec2(tick, 4.0) ? 1.0 : number);
     }
     return colour;
 }

@@ -17,8 +17,8 @@ const int  POINTS = 512;
 // per power of ten.
 Ray pixelRay(vec2 screen)
 {
-    vec2 place = vec2(2.5, 3.0) + vec2(2.5, 3.0) * screen * vec2(iResolution.y / iResolution.x, 1.0);
-    return Ray(vec3(place, 0.0), vec3(0.0, 0.0, -1.0));
+    vec2 point = vec2(2.5, 3.0) + vec2(2.5, 3.0) * screen * vec2(iResolution.y / iResolution.x, 1.0);
+    return Ray(vec3(point, 0.0), vec3(0.0, 0.0, -1.0));
 }
 
 float sceneDistance(vec3 p)
@@ -59,14 +59,14 @@ vec2 typicalAngles(float h)
 
 vec3 rayColour(Ray ray)
 {
-    vec2 place = ray.origin.xy;
-    vec2 angles = typicalAngles(pow(10.0, place.x - 5.0));
+    vec2 point = ray.origin.xy;
+    vec2 angles = typicalAngles(pow(10.0, point.x - 5.0));
     vec2 curve = log2(max(angles, 1e-6)) / log2(10.0) + 4.0;
-    vec2 apartFrom = 25.0 * (place.y - curve); // soft lines, a tenth of a unit wide
+    vec2 apartFrom = 25.0 * (point.y - curve); // soft lines, a tenth of a unit wide
     vec2 cover = exp(-apartFrom * apartFrom);
 
-    vec2 power = floor(place + 0.5);
-    vec2 apart = abs(place - power) * vec2(1.2 * iResolution.x / iResolution.y, 1.0);
+    vec2 power = floor(point + 0.5);
+    vec2 apart = abs(point - power) * vec2(1.2 * iResolution.x / iResolution.y, 1.0);
     vec3 colour = vec3(0.09, 0.10, 0.13);
     if (min(apart.x, apart.y) < 4.0 / iResolution.y) {
         bool main = (apart.x < apart.y && power.x == 2.0) || (apart.y <= apart.x && power.y == 2.0);

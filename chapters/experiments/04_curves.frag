@@ -35,17 +35,17 @@ float line(float distance, float width)
 }
 
 // The band of one channel: the area under the curve in the channel's colour, the curve in white.
-//   place    hue in degrees, height in the band from 0 to 1
+//   point    hue in degrees, height in the band from 0 to 1
 //   pixels   size of the band in pixels: the width of 360 degrees, the height of 1
-vec3 band(vec2 place, vec2 pixels, int channel)
+vec3 band(vec2 point, vec2 pixels, int channel)
 {
     vec3 ink = vec3(0.10, 0.11, 0.13);
     vec3 hue = vec3(channel == 0, channel == 1, channel == 2);
-    float curve = drawnColour(place.x)[channel];
-    float slope = (drawnColour(place.x + 0.5)[channel] - drawnColour(place.x - 0.5)[channel]) * pixels.y / (pixels.x / 360.0);
-    float off = (place.y - curve) * pixels.y / sqrt(1.0 + slope * slope);
-    vec3 colour = place.y < curve ? mix(ink, mix(vec3(0.35), hue, 0.8), 0.25 + 0.6 * curve) : ink;
-    float grid = abs(mod(place.x + 30.0, 60.0) - 30.0) * pixels.x / 360.0;
+    float curve = drawnColour(point.x)[channel];
+    float slope = (drawnColour(point.x + 0.5)[channel] - drawnColour(point.x - 0.5)[channel]) * pixels.y / (pixels.x / 360.0);
+    float off = (point.y - curve) * pixels.y / sqrt(1.0 + slope * slope);
+    vec3 colour = point.y < curve ? mix(ink, mix(vec3(0.35), hue, 0.8), 0.25 + 0.6 * curve) : ink;
+    float grid = abs(mod(point.x + 30.0, 60.0) - 30.0) * pixels.x / 360.0;
     colour = mix(colour, vec3(0.6), 0.35 * line(grid, 1.0));
     return mix(colour, vec3(0.97), line(off, 3.0));
 }
@@ -55,12 +55,12 @@ vec3 rayColour(Ray ray)
     vec2 pixel = floor(gl_FragCoord.xy + iPixelOffset) + 0.5;
     vec2 size = iResolution.xy;
     vec2 low = vec2(0.05, 0.05) * size, high = vec2(0.95, 0.95) * size;
-    vec2 place = (pixel - low) / (high - low);
-    float hue = 360.0 * place.x;
+    vec2 point = (pixel - low) / (high - low);
+    float hue = 360.0 * point.x;
     vec3 colour = vec3(0.055, 0.062, 0.075);
-    float row = place.y * 4.0, up = fract(row);
+    float row = point.y * 4.0, up = fract(row);
     vec2 pixels = vec2(high.x - low.x, 0.8 * 0.25 * (high.y - low.y));
-    bool inside = place.x >= 0.0 && place.x <= 1.0 && place.y >= 0.0 && place.y < 1.0;
+    bool inside = point.x >= 0.0 && point.x <= 1.0 && point.y >= 0.0 && point.y < 1.0;
     if (inside && row >= 3.0)
         colour = drawnColour(hue);
     else if (inside)

@@ -66,10 +66,10 @@ vec3 rayColour(Ray ray)
 {
     vec3 p = ray.origin;
     float away = distanceAt(p);
-    vec2 place = folded(p).xy;
+    vec2 q = folded(p).xy;
     // The colours of the folded plane: the hue depends on the position, with squares of one unit.
-    float square = mod(floor(place.x) + floor(place.y), 2.0);
-    vec3 colour = hsvToRGB(198.0 + 26.0 * place.x - 10.0 * place.y, 0.5, 0.50 + 0.1 * square);
+    float square = mod(floor(q.x) + floor(q.y), 2.0);
+    vec3 colour = hsvToRGB(198.0 + 26.0 * q.x - 10.0 * q.y, 0.5, 0.50 + 0.1 * square);
     float nearest = 0.25 * floor(away / 0.25 + 0.5);
     colour = mix(colour, vec3(0.08, 0.10, 0.2), 0.4 * line(away - nearest, 1.0));
     colour = mix(colour, vec3(1.0, 0.97, 0.90), clamp(0.5 - away * 0.25 * iResolution.y, 0.0, 1.0));

@@ -31,7 +31,7 @@ vec3 workshopColour(float d)
 vec3 rayColour(Ray ray)
 {
     vec3 ours = chapterRayColour(ray);
-    vec2 p = sheetPlace(screenPosition(gl_FragCoord.xy + iPixelOffset));
+    vec2 p = planePoint(screenPosition(gl_FragCoord.xy + iPixelOffset));
     vec3 light = decodeSRGB(workshop ? workshopColour(sheetDistance(p)) : ours);
     return encodeSRGB(eye == 0 ? light : light * (eye == 1 ? NO_LONG : NO_MIDDLE));
 }

@@ -9,7 +9,7 @@ uniform float band; // 0.008 in [0.001, 0.05] step 0.001, units: width of the li
 
 vec3 rayColour(Ray ray)
 {
-    vec2 p = sheetPlace(screenPosition(gl_FragCoord.xy + iPixelOffset));
+    vec2 p = planePoint(screenPosition(gl_FragCoord.xy + iPixelOffset));
     float d = distanceAt(vec3(p, 0.0)), level = floor(d / lineSpacing + 0.5);
     vec3 light = d > 0.0 ? mix(PAPER, GLOW, exp(-d / 0.3)) : mix(DEEP, EDGE, exp(d / 0.06));
     if (abs(d - level * lineSpacing) < 0.5 * band)

@@ -13,11 +13,11 @@ const vec3 DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02); //
 vec3 rayColour(Ray ray)
 {
     vec3 toSun = sunDirection();
-    Place place = placeAt(ray);
-    Ray there = sunRay(place, toSun);
-    float truth = lampReaching(there, sunReach(place, there), spread, 8, hitThreshold, maxSteps, 1000);
-    float off = sunSeen(place, toSun) - truth;
-    float shade = dot(placeLight(place, ray, toSun, 1.0), vec3(0.25));
-    vec3 ground = vec3(place.open ? 0.9 : 0.45 + 0.45 * shade);
+    Surface surface = surfaceAt(ray);
+    Ray there = sunRay(surface, toSun);
+    float truth = lampReaching(there, sunReach(surface, there), spread, 8, hitThreshold, maxSteps, 1000);
+    float off = sunSeen(surface, toSun) - truth;
+    float shade = dot(surfaceLight(surface, ray, toSun, 1.0), vec3(0.25));
+    vec3 ground = vec3(surface.open ? 0.9 : 0.45 + 0.45 * shade);
     return encodeSRGB(mix(ground, off < 0.0 ? DARKER : LIGHTER, min(1.5 * abs(off), 1.0)));
 }

@@ -31,9 +31,9 @@ float workshopReaching(Ray ray, float far)
 vec3 rayColour(Ray ray)
 {
     vec3 toSun = sunDirection();
-    Place place = placeAt(ray);
-    Ray there = sunRay(place, toSun);
-    float seen = workshopReaching(there, sunReach(place, there));
-    float whole = place.open || sunAlone ? 1.0 : mix(0.2, 1.0, seen);
-    return encodeSRGB(whole * placeLight(place, ray, toSun, sunAlone ? seen : 1.0));
+    Surface surface = surfaceAt(ray);
+    Ray there = sunRay(surface, toSun);
+    float seen = workshopReaching(there, sunReach(surface, there));
+    float whole = surface.open || sunAlone ? 1.0 : mix(0.2, 1.0, seen);
+    return encodeSRGB(whole * surfaceLight(surface, ray, toSun, sunAlone ? seen : 1.0));
 }

@@ -11,11 +11,11 @@ uniform int sum; // 2 in [0, 3]: 0 only the sky, 1 with one bounce, 2 with all b
 vec3 rayColour(Ray ray)
 {
     lookingRound = false;
-    Place place = courtyardPlace(ray, hitThreshold, maxSteps);
+    Surface surface = courtyardSurface(ray, hitThreshold, maxSteps);
     lookingRound = true;
-    float open = openQuickly(place);
+    float open = openQuickly(surface);
     float light = skyAndBounces(open, vec3(1.0), min(sum, 2)).x;
-    light = sum == 3 ? open * (2.0 - open) + 1.0 - openOverGround(place.normal) : light;
-    float off = place.open ? 0.0 : light - 1.0;
+    light = sum == 3 ? open * (2.0 - open) + 1.0 - openOverGround(surface.normal) : light;
+    float off = surface.open ? 0.0 : light - 1.0;
     return encodeSRGB(mix(vec3(0.9), off < 0.0 ? DARKER : LIGHTER, min(max(-off, 3.0 * off), 1.0)));
 }

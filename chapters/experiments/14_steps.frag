@@ -13,9 +13,9 @@ uniform bool integers; // false: divide integers, as in the workshop's line
 vec3 rayColour(Ray ray)
 {
     lookingRound = false;
-    Place place = courtyardPlace(ray, hitThreshold, most);
+    Surface surface = courtyardSurface(ray, hitThreshold, most);
     int whole = trace.steps / most;
     float share = integers ? float(whole) : float(trace.steps) / float(most);
-    vec3 light = place.open ? skyLight(ray.direction) : (bare ? vec3(1.0) : place.colour * SKY);
+    vec3 light = surface.open ? skyLight(ray.direction) : (bare ? vec3(1.0) : surface.colour * SKY);
     return encodeSRGB((1.0 - min(share, 1.0)) * light);
 }

@@ -48,8 +48,8 @@ float waxDistance(vec3 p)
 float leafDistance(vec3 p, vec3 foot, vec3 along, vec3 face)
 {
     vec3 q = p - foot - 0.3 * along;
-    vec3 place = vec3(0.6 * dot(q, along), dot(q, face), dot(q, cross(along, face)));
-    float above = length(place - vec3(0.0, 0.5, 0.0)), below = length(place + vec3(0.0, 0.5, 0.0));
+    vec3 local = vec3(0.6 * dot(q, along), dot(q, face), dot(q, cross(along, face)));
+    float above = length(local - vec3(0.0, 0.5, 0.0)), below = length(local + vec3(0.0, 0.5, 0.0));
     return opIntersection(above, below) - 0.525;
 }
 

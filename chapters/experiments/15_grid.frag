@@ -14,8 +14,8 @@ vec3 rayColour(Ray ray)
 {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < side * side; i++) {
-        vec2 place = (vec2(i % side, i / side) + (centred ? 0.5 : 0.0)) / float(side) - (centred ? 0.5 : 0.0);
-        vec3 shown = developed(lightOnFilm(perspectiveRay(screenPosition(vec2(iPixel) + 0.5 + place))));
+        vec2 offset = (vec2(i % side, i / side) + (centred ? 0.5 : 0.0)) / float(side) - (centred ? 0.5 : 0.0);
+        vec3 shown = developed(lightOnFilm(perspectiveRay(screenPosition(vec2(iPixel) + 0.5 + offset))));
         sum += asLight ? shown : encodeSRGB(shown);
     }
     sum /= float(side * side);

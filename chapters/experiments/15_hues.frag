@@ -22,10 +22,10 @@ float sceneDistance(vec3 p)
 
 vec3 rayColour(Ray ray)
 {
-    vec2 place = 0.5 + 0.5 * ray.origin.xy / vec2(iResolution.x / iResolution.y, 1.0);
-    float row = 6.0 * (1.0 - place.y), strip = 3.0 * fract(row);
+    vec2 uv = 0.5 + 0.5 * ray.origin.xy / vec2(iResolution.x / iResolution.y, 1.0);
+    float row = 6.0 * (1.0 - uv.y), strip = 3.0 * fract(row);
     vec3 hue = mix(vec3(0.06), vec3(0.9), hueToRGB(25.0 + 60.0 * floor(row)));
-    vec3 light = exposed(hue, 8.0 * place.x - 4.0);
+    vec3 light = exposed(hue, 8.0 * uv.x - 4.0);
     vec3 film = strip < 2.0 ? filmCurve(light, gamma, white) : filmOfLargest(light, gamma, white);
     float gap = min(fract(row), 1.0 - fract(row));
     return encodeSRGB(gap < 0.03 ? vec3(0.02) : (strip < 1.0 ? light : film));

@@ -20,7 +20,7 @@ const float FAR = 30.0;
 const vec3  TO_SUN = vec3(-0.48, 0.72, 0.5);
 
 // The position of the harp in the coordinates of the march.
-vec3 place()
+vec3 harpPosition()
 {
     return mended ? vec3(0.0) : vec3(away, 0.0, away);
 }
@@ -28,7 +28,7 @@ vec3 place()
 Ray pixelRay(vec2 screen)
 {
     Ray ray = perspectiveRay(screen);
-    ray.origin -= vec3(away, 0.0, away) - place();
+    ray.origin -= vec3(away, 0.0, away) - harpPosition();
     return ray;
 }
 
@@ -58,7 +58,7 @@ float ballDistance(vec3 p)
 
 float sceneDistance(vec3 p)
 {
-    vec3 q = p - place();
+    vec3 q = p - harpPosition();
     return min(min(ringDistance(q), stringDistance(q)), min(floorDistance(q), ballDistance(q)));
 }
 
@@ -77,5 +77,5 @@ vec3 rayColour(Ray ray)
     Ray there = shadowRay(p, normal, TO_SUN, 4.0 * hitThreshold);
     float seen = lightReaching(there, hit.found ? shadowReach(normal, TO_SUN, 4.0) : 0.0, hitThreshold, 96);
     vec3 light = seen * lambert(normal, TO_SUN) * vec3(1.5, 1.3, 1.05) + (0.6 + 0.4 * normal.y) * vec3(0.26, 0.33, 0.42);
-    return encodeSRGB(hit.found ? colourOf(p - place()) * light : sky);
+    return encodeSRGB(hit.found ? colourOf(p - harpPosition()) * light : sky);
 }

@@ -16,8 +16,8 @@ const float HEIGHTS[12] = float[](48.0, 30.0, 15.0, 8.0, 4.0, 1.0, -1.0, -2.5, -
 
 vec3 rayColour(Ray ray)
 {
-    vec2 place = vec2(iPixel) + 0.5, size = sheet ? iResolution.xy / vec2(4.0, 3.0) : iResolution.xy / vec2(2.0, 1.0);
-    vec2 cell = floor(place / size), at = (place - size * (cell + 0.5)) / (0.48 * min(size.x, size.y));
+    vec2 pixel = vec2(iPixel) + 0.5, size = sheet ? iResolution.xy / vec2(4.0, 3.0) : iResolution.xy / vec2(2.0, 1.0);
+    vec2 cell = floor(pixel / size), at = (pixel - size * (cell + 0.5)) / (0.48 * min(size.x, size.y));
     float height = radians(sheet ? HEIGHTS[int(cell.x + 4.0 * (2.0 - cell.y))] : sunHeight);
     vec3 sun = vec3(0.0, sin(height), -cos(height));
     // Equal angles become equal lengths: the rim is 90 degrees from the centre.

@@ -7,8 +7,8 @@
 vec3 rayColour(Ray ray)
 {
     vec3 sun = sunNow();
-    Place place = placeAlong(ray);
-    vec3 sky = 0.8 * (sunlitSky(place.leaves, sun, RAYLEIGH + 0.05) + nightSky(place.leaves, sun));
-    sky += tableSun(halo, place.leaves, sun, radians(sunRadius));
-    return developed(placeLight(place, sky, sun), sun);
+    Surface surface = surfaceAlong(ray);
+    vec3 sky = 0.8 * (sunlitSky(surface.leaves, sun, RAYLEIGH + 0.05) + nightSky(surface.leaves, sun));
+    sky += tableSun(halo, surface.leaves, sun, radians(sunRadius));
+    return developed(surfaceLight(surface, sky, sun), sun);
 }

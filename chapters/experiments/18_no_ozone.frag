@@ -11,8 +11,8 @@ uniform sampler2D greyAway;    // "no_ozone_away.png" sRGB clamp: the other half
 vec3 rayColour(Ray ray)
 {
     vec3 sun = sunNow();
-    Place place = placeAlong(ray);
-    vec3 sky = 4.0 * tableSky(greySunward, greyAway, place.leaves, sun) + NIGHT;
-    sky += tableSun(halo, place.leaves, sun, radians(sunRadius));
-    return developed(placeLight(place, sky, sun), sun);
+    Surface surface = surfaceAlong(ray);
+    vec3 sky = 4.0 * tableSky(greySunward, greyAway, surface.leaves, sun) + NIGHT;
+    sky += tableSun(halo, surface.leaves, sun, radians(sunRadius));
+    return developed(surfaceLight(surface, sky, sun), sun);
 }

@@ -8,8 +8,8 @@ vec3 tableSky(sampler2D sunward, sampler2D away, vec3 direction, vec3 sun);
 
 vec3 tableSky(sampler2D sunward, sampler2D away, vec3 direction, vec3 sun)
 {
-    vec2 place = skyPlace(sun.y, direction.y);
-    SkyScale scale = skyScale(sun.y, place.y);
-    float c = dot(direction, sun), share = sunwardShare(levelCosine(direction, sun), sun.y, place.y);
-    return max(mix(onceLight(away, place, c, scale), onceLight(sunward, place, c, scale), share), 0.0);
+    vec2 uv = skyUV(sun.y, direction.y);
+    SkyScale scale = skyScale(sun.y, uv.y);
+    float c = dot(direction, sun), share = sunwardShare(levelCosine(direction, sun), sun.y, uv.y);
+    return max(mix(onceLight(away, uv, c, scale), onceLight(sunward, uv, c, scale), share), 0.0);
 }

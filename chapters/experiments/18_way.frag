@@ -10,7 +10,7 @@
 vec3 rayColour(Ray ray)
 {
     vec3 sun = sunNow();
-    Place place = placeAlong(ray);
-    vec3 sky = skyByWay(place.leaves, sun, encoded) + tableSun(halo, place.leaves, sun, radians(sunRadius));
-    return developed(placeLight(place, sky, sun), sun);
+    Surface surface = surfaceAlong(ray);
+    vec3 sky = skyByWay(surface.leaves, sun, encoded) + tableSun(halo, surface.leaves, sun, radians(sunRadius));
+    return developed(surfaceLight(surface, sky, sun), sun);
 }

@@ -10,9 +10,9 @@ uniform bool painted;  // false: true makes the article's second table a painter
 //   level  1 for the half that contains the sun, -1 for the other
 vec3 halfColour(sampler2D table, vec3 direction, vec3 sun, float level)
 {
-    vec2 place = skyPlace(sun.y, direction.y);
+    vec2 uv = skyUV(sun.y, direction.y);
     float y = max(direction.y, 0.0), flat2 = (1.0 - y * y) * (1.0 - sun.y * sun.y);
-    return tableLight(table, place, y * sun.y + level * sqrt(max(flat2, 0.0)), skyScale(sun.y, place.y));
+    return tableLight(table, uv, y * sun.y + level * sqrt(max(flat2, 0.0)), skyScale(sun.y, uv.y));
 }
 
 // The share of the first table according to the article's text: from 1 to 0, linear in the horizontal

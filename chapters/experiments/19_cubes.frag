@@ -19,9 +19,9 @@ float sceneDistance(vec3 p)
 
 vec3 rayColour(Ray ray)
 {
-    vec2 place = vec2(abs(ray.direction.x) - 0.89, ray.direction.y) / 0.84;
-    float square = dot(place, place), out_ = sqrt(max(2.0 - square, 0.0));
-    vec3 p = vec3(place * out_, 1.0 - square); // Lambert's map, which preserves areas
+    vec2 point = vec2(abs(ray.direction.x) - 0.89, ray.direction.y) / 0.84;
+    float square = dot(point, point), out_ = sqrt(max(2.0 - square, 0.0));
+    vec3 p = vec3(point * out_, 1.0 - square); // Lambert's map, which preserves areas
     vec3 right = normalize(vec3(1.0, -1.0, 0.0)), ahead = normalize(vec3(1.0)), up = cross(ahead, right);
     vec3 direction = p.x * right + p.y * up + p.z * ahead;
     uvec3 cell = uvec3(ivec3(floor(side * direction) + 1000.0));

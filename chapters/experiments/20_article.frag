@@ -12,15 +12,15 @@ vec3 rayColour(Ray ray)
 {
     float hour = timeOfDay + hoursPerSecond * iTime, height = sunDirection(hour, LATITUDE, DECLINATION).y;
     Lights lights = lightsAt(hour);
-    Place place = placeAlong(ray);
-    vec3 direction = normalize(vec3(place.seen.direction.x, max(place.seen.direction.y, 0.0), place.seen.direction.z));
+    Surface surface = surfaceAlong(ray);
+    vec3 direction = normalize(vec3(surface.seen.direction.x, max(surface.seen.direction.y, 0.0), surface.seen.direction.z));
     vec3 screen = encodeSRGB(filmOfLargest(exposed(skyLight(direction, lights) + discLight(direction, lights), lights.stops), 1.3, 6.0));
     float turn = turned + drift * iTime, share = 2.0 * (weather - 0.5);
-    float fair = cloudPanorama(cloudsFair, direction, turn, skyWidth(place)).cover;
-    float storm = cloudPanorama(cloudsStorm, direction, turn, skyWidth(place)).cover;
+    float fair = cloudPanorama(cloudsFair, direction, turn, skyWidth(surface)).cover;
+    float storm = cloudPanorama(cloudsStorm, direction, turn, skyWidth(surface)).cover;
     float grey = min(1.5 * weather, 1.0) * (height > 0.0 ? 0.95 : 0.95 + 1.8 * height);
     grey = positive ? max(grey, 0.0) : grey;
     screen = mix(weather * screen, vec3(grey), clamp((2.0 - weather) * mix(storm, fair, share), 0.0, 1.0));
-    vec3 scene = encodeSRGB(filmOfLargest(exposed(placeLight(place, ray.direction, vec3(0.0), lights), lights.stops), 1.3, 6.0));
-    return place.land ? scene : (place.water ? 0.8 * screen : screen);
+    vec3 scene = encodeSRGB(filmOfLargest(exposed(surfaceLight(surface, ray.direction, vec3(0.0), lights), lights.stops), 1.3, 6.0));
+    return surface.land ? scene : (surface.water ? 0.8 * screen : screen);
 }

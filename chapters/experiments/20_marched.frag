@@ -9,7 +9,7 @@
 
 uniform sampler3D noise; // "noise.png" linear repeat 64: value noise
 
-uniform int   places;    // 32 in [4, 128]: points on the path of a ray through the layer
+uniform int   points;    // 32 in [4, 128]: points on the path of a ray through the layer
 uniform float amount;    // 0.5 in [0, 1] step 0.02: amount of cloud in the layer
 uniform float thickness; // 9 in [0, 40] step 1, per km: optical depth of a kilometre of cloud
 uniform bool  shaded;    // true: one ray to the sun from each point
@@ -35,10 +35,10 @@ float vapour(vec3 p, float level)
 vec4 marchedLayer(vec3 direction, Lights lights, float width)
 {
     float near = layerHit(0.0, direction.y, FOOT), far = min(layerHit(0.0, direction.y, TOP), 80.0);
-    float stride = max(far - near, 0.0) / float(places), left = 1.0;
+    float stride = max(far - near, 0.0) / float(points), left = 1.0;
     float level = max(log2(width * near * 64.0 / 13.0), 0.0), phase = 0.5 + 3.0 * glow(direction, lights.sun, 0.6);
     vec3 light = vec3(0.0);
-    for (int i = 0; i < places; i++) {
+    for (int i = 0; i < points; i++) {
         vec3 p = (near + (float(i) + pixelRandom(0)) * stride) * direction;
         float here = vapour(p, level), depth = 0.0;
         if (shaded)
@@ -56,12 +56,12 @@ vec4 marchedLayer(vec3 direction, Lights lights, float width)
 vec3 rayColour(Ray ray)
 {
     Lights lights = lightsAt(timeOfDay + hoursPerSecond * iTime);
-    Place place = placeAlong(ray);
-    vec3 up = normalize(vec3(place.seen.direction.x, max(place.seen.direction.y, 0.002), place.seen.direction.z));
+    Surface surface = surfaceAlong(ray);
+    vec3 up = normalize(vec3(surface.seen.direction.x, max(surface.seen.direction.y, 0.002), surface.seen.direction.z));
     vec3 clear = mix(skyLight(up, lights), overcastSky(up.y, lights.sky), overcastShare(weather));
-    vec4 layer = marchedLayer(up, lights, skyWidth(place));
+    vec4 layer = marchedLayer(up, lights, skyWidth(surface));
     float haze = fogDepth(0.0, up.y, layerHit(0.0, up.y, FOOT), hazeDensity(weather), 1.5);
-    vec3 disc = discLeft(weather) * discLight(place.seen.direction, lights);
+    vec3 disc = discLeft(weather) * discLight(surface.seen.direction, lights);
     vec3 sky = layer.a * (clear + disc) + throughFog(layer.rgb, (1.0 - layer.a) * clear, haze);
-    return developed(placeLight(place, ray.direction, sky, lights), place, lights);
+    return developed(surfaceLight(surface, ray.direction, sky, lights), surface, lights);
 }

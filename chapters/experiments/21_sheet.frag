@@ -22,9 +22,9 @@ float sheetSpread()
 Ray pixelRay(vec2 screen)
 {
     vec2 size = iResolution.xy / SHEET, pixel = 0.5 * (screen * iResolution.y + iResolution.xy);
-    vec2 tile = clamp(floor(pixel / size), vec2(0.0), SHEET - 1.0), place = pixel - tile * size;
+    vec2 tile = clamp(floor(pixel / size), vec2(0.0), SHEET - 1.0), local = pixel - tile * size;
     theHour = 2.0 * (SHEET.y - 1.0 - tile.y);
     theWeather = 1.0 - 0.125 * tile.x;
-    theScreen = (2.0 * place - size) / size.y;
+    theScreen = (2.0 * local - size) / size.y;
     return perspectiveRay(theScreen);
 }

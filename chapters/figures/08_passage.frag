@@ -35,12 +35,12 @@ void drawRay(vec2 p, float height, float end, float width, vec3 colour)
 // A plate, the rays of its ends, and its picture at an x.
 void plate(vec2 p, vec2 centre, float at, vec3 colour)
 {
-    vec2 place = vec2(clamp(centre.x, CAMERA + 0.05, LEFT - 0.1), centre.y);
-    float size = sizeAt(place.x), end = max(place.x, FRAMING);
-    drawRay(p, size * (place.y - PLATE), end, 1.5, colour);
-    drawRay(p, size * (place.y + PLATE), end, 1.5, colour);
-    line2(p, place - vec2(0.0, PLATE), place + vec2(0.0, PLATE), 6.0, colour);
-    float low = clamp(size * (place.y - PLATE), -HALF, HALF), high = clamp(size * (place.y + PLATE), -HALF, HALF);
+    vec2 point = vec2(clamp(centre.x, CAMERA + 0.05, LEFT - 0.1), centre.y);
+    float size = sizeAt(point.x), end = max(point.x, FRAMING);
+    drawRay(p, size * (point.y - PLATE), end, 1.5, colour);
+    drawRay(p, size * (point.y + PLATE), end, 1.5, colour);
+    line2(p, point - vec2(0.0, PLATE), point + vec2(0.0, PLATE), 6.0, colour);
+    float low = clamp(size * (point.y - PLATE), -HALF, HALF), high = clamp(size * (point.y + PLATE), -HALF, HALF);
     line2(p, vec2(at, low), vec2(at, high), 9.0, colour);
     number(p, vec2(at, -0.66), size, 2, colour);
 }

@@ -46,19 +46,19 @@ vec3 rayColour(Ray ray)
     float panel = p.x - 1.08;
     fill(-panel, PAPER, 1.0);
     int row = int(floor(1.5 - 1.5 * p.y)); // from the top
-    vec2 place = vec2(1.43, 0.667 - 0.667 * float(row));
+    vec2 centre = vec2(1.43, 0.667 - 0.667 * float(row));
     if (panel > 0.0) {
         vec3 light = texelAt(ivec2(floor(at)));
-        if (row == 1 && sdRectangle(p - place, vec2(0.26)) < 0.0) // the long sum, only where it is shown
+        if (row == 1 && sdRectangle(p - centre, vec2(0.26)) < 0.0) // the long sum, only where it is shown
             light = meanAt(at);
         if (row == 2) {
             vec2 size = vec2(textureSize(granite, 0));
             light = textureLod(granite, at / size, log2(footprint * wide)).rgb;
         }
         vec3 colour = encodeSRGB(light);
-        fill(sdRectangle(p - place, vec2(0.25, 0.25)), colour, 1.0);
-        stroke(sdRectangle(p - place, vec2(0.25, 0.25)), 1.5, INK);
-        number(p, place, 255.0 * colour.g, 0, colour.g > 0.5 ? INK : PAPER);
+        fill(sdRectangle(p - centre, vec2(0.25, 0.25)), colour, 1.0);
+        stroke(sdRectangle(p - centre, vec2(0.25, 0.25)), 1.5, INK);
+        number(p, centre, 255.0 * colour.g, 0, colour.g > 0.5 ? INK : PAPER);
     }
     return sheetColour;
 }

@@ -36,9 +36,9 @@ vec3 rayColour(Ray ray)
     fill(band, INK, 1.0);
     fill(band + penWidth(1.0), mix(MIST, 0.7 * INK, exp(-depth)), 1.0);
     for (int i = 1; i < 10; i++) {
-        float place = fogPlace(height, climb, 0.1 * float(i) * whole, density, scale);
-        line2(p, from + place * way + 0.06 * beside, from + place * way + 0.16 * beside, 1.2, PAPER);
-        dot2(p, from + place * way, 5.0, INK);
+        float mark = inverseFogDepth(height, climb, 0.1 * float(i) * whole, density, scale);
+        line2(p, from + mark * way + 0.06 * beside, from + mark * way + 0.16 * beside, 1.2, PAPER);
+        dot2(p, from + mark * way, 5.0, INK);
     }
     line2(p, from, to, 2.0, INK);
     dot2(p, from, 10.0, INK);

@@ -15,27 +15,27 @@ float sceneDistance(vec3 p)
 }
 
 // The direction of a position on the net: on the lid, x and y are at most 1; each flap continues to 2, the horizon.
-vec3 cubeDirection(vec2 place)
+vec3 cubeDirection(vec2 local)
 {
-    vec2 side = abs(place);
+    vec2 side = abs(local);
     float up = min(2.0 - max(side.x, side.y), 1.0);
-    return normalize(vec3(clamp(place, -1.0, 1.0), up).xzy);
+    return normalize(vec3(clamp(local, -1.0, 1.0), up).xzy);
 }
 
 // The direction of a position on the dome: equal angles are equal lengths.
-vec3 domeDirection(vec2 place)
+vec3 domeDirection(vec2 local)
 {
-    float angle = 1.5707963 / RIM * length(place);
-    return vec3(normalize(place + 1e-6) * sin(angle), cos(angle)).xzy;
+    float angle = 1.5707963 / RIM * length(local);
+    return vec3(normalize(local + 1e-6) * sin(angle), cos(angle)).xzy;
 }
 
 vec3 rayColour(Ray ray)
 {
-    vec2 p = sheetPoint(ray), place = (p - LEFT) / HALF_SIDE;
+    vec2 p = sheetPoint(ray), local = (p - LEFT) / HALF_SIDE;
     bool left = p.x < 0.0;
-    vec3 up = left ? cubeDirection(place) : domeDirection(p - RIGHT);
+    vec3 up = left ? cubeDirection(local) : domeDirection(p - RIGHT);
     float height = atan(up.y, length(up.xz));
-    float net = min(sdRectangle(place, vec2(2.0, 1.0)), sdRectangle(place, vec2(1.0, 2.0))) * HALF_SIDE;
+    float net = min(sdRectangle(local, vec2(2.0, 1.0)), sdRectangle(local, vec2(1.0, 2.0))) * HALF_SIDE;
     float shape = left ? net : length(p - RIGHT) - RIM;
     vec3 outside = sheetColour;
     fill(shape, mix(SAND, BLUE, smoothstep(-0.15, 1.5, height)), 1.0);
@@ -43,7 +43,7 @@ vec3 rayColour(Ray ray)
     sheetColour = mix(outside, sheetColour, coverage(-shape / sheetPixel(), 1.0));
     stroke(shape, 2.0, INK);
     if (left)
-        stroke(sdRectangle(place, vec2(1.0)) * HALF_SIDE, 2.0, ORANGE);
+        stroke(sdRectangle(local, vec2(1.0)) * HALF_SIDE, 2.0, ORANGE);
 
     // The point, held on the net, and its direction on the dome.
     vec2 at = clamp((point - LEFT) / HALF_SIDE, -2.0, 2.0);

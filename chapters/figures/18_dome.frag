@@ -22,31 +22,31 @@ float sceneDistance(vec3 p)
 }
 
 // The direction of a position in a sky: equal angles are equal lengths.
-vec3 skyDirection(vec2 place)
+vec3 skyDirection(vec2 local)
 {
-    float angle = 1.5707963 / RIM * length(place);
-    return vec3(normalize(place + 1e-6) * sin(angle), cos(angle)).xzy;
+    float angle = 1.5707963 / RIM * length(local);
+    return vec3(normalize(local + 1e-6) * sin(angle), cos(angle)).xzy;
 }
 
 // The light of a table with complete colours: that along the middle of its half of the sky.
 vec3 halfColour(sampler2D table, vec3 direction, vec3 toSun, float level)
 {
     float y = max(direction.y, 0.0), both = sqrt(max((1.0 - y * y) * (1.0 - toSun.y * toSun.y), 0.0));
-    vec2 place = skyPlace(toSun.y, y);
-    return tableLight(table, place, y * toSun.y + level * both, skyScale(toSun.y, place.y));
+    vec2 local = skyUV(toSun.y, y);
+    return tableLight(table, local, y * toSun.y + level * both, skyScale(toSun.y, local.y));
 }
 
 vec3 rayColour(Ray ray)
 {
-    vec2 p = sheetPoint(ray), place = p - (p.x < 0.0 ? LEFT : RIGHT), from = sun - LEFT;
+    vec2 p = sheetPoint(ray), local = p - (p.x < 0.0 ? LEFT : RIGHT), from = sun - LEFT;
     from *= min(1.0, 1.17 * RIM / max(length(from), 1e-6)); // at most 15 degrees below the horizon
-    vec3 toSun = skyDirection(from), direction = skyDirection(place);
+    vec3 toSun = skyDirection(from), direction = skyDirection(local);
     float angle = atan(direction.x * toSun.z - direction.z * toSun.x, dot(direction.xz, toSun.xz));
     float share = way == 1 ? 1.0 - abs(angle) / 3.1415927 : 0.5 + 0.5 * dot(direction, toSun);
     vec3 complete = mix(halfColour(away, direction, toSun, -1.0), halfColour(sunward, direction, toSun, 1.0), share);
     vec3 light = p.x < 0.0 ? tableSky(sunward, away, direction, toSun) : complete;
     light = exposed(daylightFilm(light), hourStops(toSun.y));
-    float rim = length(place) - RIM;
+    float rim = length(local) - RIM;
     fill(rim, encodeSRGB(filmOfLargest(light, 1.35, 6.0)), 1.0);
     stroke(rim, 1.5, INK);
     dashes(p, LEFT, LEFT + from, 1.0, PALE);

@@ -46,9 +46,9 @@ vec3 rayColour(Ray ray)
     fill(arc - 0.5 * penWidth(2.0), TEAL, 1.0);
     number(p, moon - 0.19 * middle, degrees(2.0 * half_), 0, TEAL);
     // The disc: its right side is on the right of an eye on the Earth, and the sun is in the plane of the picture.
-    vec2 place = (p - SEEN) / DISC;
+    vec2 point = (p - SEEN) / DISC;
     vec3 inFrame = vec3(side, 0.0, cosine);
-    vec3 face = moonFace(moonMap, place, sheetPixel() / DISC, inFrame, 1.5) * exp(1.2 * half_);
+    vec3 face = moonFace(moonMap, point, sheetPixel() / DISC, inFrame, 1.5) * exp(1.2 * half_);
     fill(sdCircle(p - SEEN, 0.7), INK, 1.0);
     fill(length(p - SEEN) - DISC, encodeSRGB(1.0 - exp(-1.1 * face - vec3(0.008, 0.009, 0.013))), 1.0);
     number(p, vec2(SEEN.x, -0.85), 100.0 * moonShare(cosine), 0, INK);

@@ -41,13 +41,13 @@ vec3 rayColour(Ray ray)
 
     // The sky of the observer: trails, one in each cell of declination and hour angle, and the star's own circle.
     mat3 turn = skyTurn(hour, latitude);
-    vec2 place = p - SKY_AT;
-    vec3 d = turn * skyDirection(place);
+    vec2 point = p - SKY_AT;
+    vec3 d = turn * skyDirection(point);
     vec2 fixed_ = degrees(vec2(atan(d.z, length(d.xy)), atan(d.y, d.x)));
     float band = floor(fixed_.x / 4.0), around = fixed_.y / 45.0 + 4.0 + cellRandom(ivec3(int(band), 20, 20));
     float lot = cellRandom(ivec3(int(band), int(around), 19));
     float across = abs(fixed_.x - 4.0 * (band + 0.2 + 0.6 * lot)), along = 45.0 * fract(around) - 22.0 * fract(7.0 * lot);
-    float width = degrees(1.5707963 / RIM) * penWidth(1.0), rim = length(place) - RIM;
+    float width = degrees(1.5707963 / RIM) * penWidth(1.0), rim = length(point) - RIM;
     fill(rim, INK, 1.0);
     if (along > 0.0 && along < 22.5)
         fill(max(rim, (across - 0.5 * width) / width * penWidth(1.0)), mix(BLUE, PAPER, fract(31.0 * lot)), 1.0);

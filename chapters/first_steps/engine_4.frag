@@ -33,9 +33,9 @@ vec3 normalAt(vec3 p)
                           sceneDistance(p + h.yyx) - sceneDistance(p - h.yyx)));
 }
 
-vec3 floorColour(vec2 place)
+vec3 floorColour(vec2 point)
 {
-    float odd = mod(floor(place.x) + floor(place.y), 2.0);
+    float odd = mod(floor(point.x) + floor(point.y), 2.0);
     return mix(vec3(0.08), vec3(0.6), odd);
 }
 

@@ -1,5 +1,5 @@
 #version 330 core
-// Solution of exercise 1 of chapter 00: a snowman. A scene is a min() of distances: three balls of
+// Solution to exercise 1 of chapter 00: a snowman. A scene is a min() of distances: three balls of
 // snow, two of coal, and the ground. The march may take 512 steps, because rays that pass close to
 // the snow or the ground need more than 128.
 

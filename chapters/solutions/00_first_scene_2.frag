@@ -1,5 +1,5 @@
 #version 330 core
-// Solution of exercise 2 of chapter 00: the camera is fixed and the object turns. Turning a point
+// Solution to exercise 2 of chapter 00: the camera is fixed and the object turns. Turning a point
 // one way before evaluating its distance turns the object the other way.
 
 in vec2 FragCoord;  // the pixel's position: y from -1 to 1, x from -aspect to aspect

@@ -1,5 +1,5 @@
 #version 330 core
-// Solution of exercise 3 of chapter 00: a lantern is the intersection of a box and a ball, max(a, b),
+// Solution to exercise 3 of chapter 00: a lantern is the intersection of a box and a ball, max(a, b),
 // minus a smaller ball, max(a, -b). The smaller ball reaches through the faces of the box, so the
 // lantern has windows.
 

@@ -1,5 +1,5 @@
 #version 330 core
-// Solution of exercise 4 of chapter 00: the cost of each pixel. The march returns the number of
+// Solution to exercise 4 of chapter 00: the cost of each pixel. The march returns the number of
 // steps; black is 0, white is 64 or more.
 
 in vec2 FragCoord;  // the pixel's position: y from -1 to 1, x from -aspect to aspect

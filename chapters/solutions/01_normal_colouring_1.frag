@@ -1,4 +1,4 @@
-// Solution of exercise 01.1: a torus instead of the orbit of balls.
+// Solution to exercise 01.1: a torus instead of the orbit of balls.
 //
 // The chapter's own sceneDistance gets another name; everything else is the chapter's.
 #include "main.glsl"

@@ -1,4 +1,4 @@
-// Solution of exercise 01.2: the frame with rounded edges, of the same outer size.
+// Solution to exercise 01.2: the frame with rounded edges, of the same outer size.
 //
 // The chapter's own sceneDistance gets another name; everything else is the chapter's.
 #include "main.glsl"

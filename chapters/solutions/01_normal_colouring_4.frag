@@ -1,4 +1,4 @@
-// Solution of exercise 01.4: the normal from four evaluations at the corners of a tetrahedron.
+// Solution to exercise 01.4: the normal from four evaluations at the corners of a tetrahedron.
 //
 // The chapter's own rayColour gets another name and is not used; everything else is the chapter's.
 #include "main.glsl"

@@ -1,4 +1,4 @@
-// Solution of exercise 01.5: a fisheye. The distance on the screen is proportional to the angle.
+// Solution to exercise 01.5: a fisheye. The distance on the screen is proportional to the angle.
 //
 // The chapter's own pixelRay gets another name and is not used; everything else is the chapter's.
 #include "main.glsl"

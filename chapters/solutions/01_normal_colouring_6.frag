@@ -1,4 +1,4 @@
-// Solution of exercise 01.6: steps that are a multiple of the distance.
+// Solution to exercise 01.6: steps that are a multiple of the distance.
 //
 // The chapter's own sceneDistance gets another name; everything else is the chapter's.
 #include "main.glsl"

@@ -1,4 +1,4 @@
-// Solution of exercise 02.1: a third, green lamp above the left side of the stage. Its light is
+// Solution to exercise 02.1: a third, green lamp above the left side of the stage. Its light is
 // added.
 #include "main.glsl"
 #define rayColour chapterRayColour

@@ -1,4 +1,4 @@
-// Solution of exercise 02.2: light that is too bright keeps its hue, because all three channels are
+// Solution to exercise 02.2: light that is too bright keeps its hue, because all three channels are
 // divided by the largest.
 //
 // The macro turns the chapter's call to encodeSRGB into a call to keepHue.

@@ -1,4 +1,4 @@
-// Solution of exercise 02.3: ambient light that comes only from the upper half of the sky. A
+// Solution to exercise 02.3: ambient light that comes only from the upper half of the sky. A
 // surface that leans away from the zenith receives less of it: the share (1 + N.y) / 2.
 #include "main.glsl"
 #define rayColour chapterRayColour

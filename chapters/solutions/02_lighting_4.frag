@@ -1,4 +1,4 @@
-// Solution of exercise 02.4: four rays per pixel, averaged in linear light and encoded once.
+// Solution to exercise 02.4: four rays per pixel, averaged in linear light and encoded once.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "02_lighting.frag"

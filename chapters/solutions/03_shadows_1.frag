@@ -1,4 +1,4 @@
-// Solution of exercise 03.1: the cold lamp casts a shadow too.
+// Solution to exercise 03.1: the cold lamp casts a shadow too.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "03_shadows.frag"

@@ -1,4 +1,4 @@
-// Solution of exercise 03.2: the offset of the shadow ray points towards the light instead of along
+// Solution to exercise 03.2: the offset of the shadow ray points towards the light instead of along
 // the normal. At grazing angles the start is then too close to the surface, which gives acne.
 //
 // The macro turns the chapter's call to shadowRay into a call to startAlongLight.

@@ -1,4 +1,4 @@
-// Solution of exercise 03.4: a lamp of nine points. Each has a ninth of the light and casts its own
+// Solution to exercise 03.4: a lamp of nine points. Each has a ninth of the light and casts its own
 // shadow, so the edge of a shadow becomes a series of steps.
 #include "main.glsl"
 #define rayColour chapterRayColour
@@ -11,8 +11,8 @@ vec3 nineLamps(vec3 p, vec3 normal)
 {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < 9; i++) {
-        vec3 place = 0.5 * lampSide * vec3(float(i % 3 - 1), 0.0, float(i / 3 - 1));
-        vec3 toLamp = lampPosition() + place - p;
+        vec3 offset = 0.5 * lampSide * vec3(float(i % 3 - 1), 0.0, float(i / 3 - 1));
+        vec3 toLamp = lampPosition() + offset - p;
         float seen = visibility(p, normal, normalize(toLamp), length(toLamp));
         sum += seen * lampLight(normal, toLamp, LAMP_COLOUR / 9.0);
     }

@@ -1,4 +1,4 @@
-// Solution of exercise 04.2: a subtraction with rounded edges. It is the complement of the smooth
+// Solution to exercise 04.2: a subtraction with rounded edges. It is the complement of the smooth
 // union of b and the outside of a. The groove of the stage is rounded too.
 //
 // Macros replace every opSubtraction of the chapter with smoothSubtraction, and the sharp share

@@ -1,4 +1,4 @@
-// Solution of exercise 04.3: the stage as a continuous colour wheel. The hue is the angle, and the
+// Solution to exercise 04.3: the stage as a continuous colour wheel. The hue is the angle, and the
 // saturation grows from 0 in the middle to 1 at the edge.
 //
 // The chapter's colourAt gives the colour of everything else. On the axis, where GLSL leaves

@@ -1,4 +1,4 @@
-// Solution of exercise 04.4: a lens, the intersection of two equal balls, in the middle of the
+// Solution to exercise 04.4: a lens, the intersection of two equal balls, in the middle of the
 // wheel, with its exact distance or with the bound max(a, b).
 //
 // The file defines sceneDistance, colourAt and rayColour itself, because the middle is different.

@@ -1,4 +1,4 @@
-// Solution of exercise 05.1: the ring turns about its own axis, once in 20 seconds. The new
+// Solution to exercise 05.1: the ring turns about its own axis, once in 20 seconds. The new
 // rotation is the rightmost factor, so it is applied first, before the ring is laid on the water.
 #include "main.glsl"
 #define pixelRay chapterPixelRay

@@ -1,4 +1,4 @@
-// Solution of exercise 05.2: the ball is a lens, flattened along its own axis by a linear map. The
+// Solution to exercise 05.2: the ball is a lens, flattened along its own axis by a linear map. The
 // code contains the inverse M of this map, and divides the distance by the largest stretch of M.
 #include "main.glsl"
 #define sceneDistance chapterDistance

@@ -1,4 +1,4 @@
-// Solution of exercise 05.3: the ball has bumps. It is displaced by a product of three sines, whose
+// Solution to exercise 05.3: the ball has bumps. It is displaced by a product of three sines, whose
 // slope is at most bumpHeight times fineness.
 #include "main.glsl"
 #define sceneDistance chapterDistance

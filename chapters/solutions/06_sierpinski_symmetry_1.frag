@@ -1,4 +1,4 @@
-// Solution of exercise 06.1: the Sierpinski triangle in the plane. Two folds per level give three
+// Solution to exercise 06.1: the Sierpinski triangle in the plane. Two folds per level give three
 // copies.
 //
 // The experiment draws the triangle. A macro renames the experiment's own sceneDistance, which

@@ -1,4 +1,4 @@
-// Solution of exercise 06.2: 6^m octahedra. Three folds bring a point to the octant where all
+// Solution to exercise 06.2: 6^m octahedra. Three folds bring a point to the octant where all
 // coordinates are positive, and two more to the side of the corner (1, 0, 0).
 //
 // Macros replace the chapter's calls to the library with calls to the functions here.

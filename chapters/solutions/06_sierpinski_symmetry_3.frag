@@ -1,4 +1,4 @@
-// Solution of exercise 06.3: the exact distance instead of the distance by planes. The march takes
+// Solution to exercise 06.3: the exact distance instead of the distance by planes. The march takes
 // fewer steps, but each costs more.
 //
 // A macro replaces the chapter's call to sdSierpinskiPlanes with a call to sdSierpinski.

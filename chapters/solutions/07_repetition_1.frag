@@ -1,4 +1,4 @@
-// Solution of exercise 07.1: five times five lanterns instead of an endless field.
+// Solution to exercise 07.1: five times five lanterns instead of an endless field.
 //
 // A macro replaces the chapter's calls to cellOf with calls to cellOfFive. cellOthers need not
 // change: where there are fewer lanterns than it assumes, its value is still a lower bound.

@@ -1,4 +1,4 @@
-// Solution of exercise 07.2: twelve framed balls around the origin. The angle is repeated: rotating
+// Solution to exercise 07.2: twelve framed balls around the origin. The angle is repeated: rotating
 // by a multiple of a twelfth of a turn brings every point into the sector around the x axis. On the
 // y axis, where GLSL leaves atan(0, 0) undefined, the angle is 0.
 //

@@ -1,4 +1,4 @@
-// Solution of exercise 07.3: towers of height 0.5 to 12, which fill their cells. Four towers are
+// Solution to exercise 07.3: towers of height 0.5 to 12, which fill their cells. Four towers are
 // evaluated, and no step goes farther than the wall of their block.
 //
 // A macro renames the experiment's own sceneDistance, which is not used.

@@ -1,4 +1,4 @@
-// Solution of exercise 08.1: perspective to the left of the middle, parallel rays to the right of
+// Solution to exercise 08.1: perspective to the left of the middle, parallel rays to the right of
 // it.
 #include "main.glsl"
 #define pixelRay chapterPixelRay

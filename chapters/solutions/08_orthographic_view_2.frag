@@ -1,4 +1,4 @@
-// Solution of exercise 08.2: the oblique view. The rays are parallel, but not perpendicular to the
+// Solution to exercise 08.2: the oblique view. The rays are parallel, but not perpendicular to the
 // picture's plane. Planes perpendicular to the axis keep their shapes, and depth is drawn along a
 // slanting line.
 #include "main.glsl"

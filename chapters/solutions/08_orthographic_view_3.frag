@@ -1,4 +1,4 @@
-// Solution of exercise 08.3: a fish-eye. The angle between the ray and the axis of the view is
+// Solution to exercise 08.3: a fish-eye. The angle between the ray and the axis of the view is
 // proportional to the distance from the centre of the picture, so even 180 degrees are possible.
 #include "main.glsl"
 #define pixelRay chapterPixelRay

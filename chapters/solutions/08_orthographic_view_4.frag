@@ -1,4 +1,4 @@
-// Solution of exercise 08.4: reversed perspective, with u greater than 1. The rays meet at a point
+// Solution to exercise 08.4: reversed perspective, with u greater than 1. The rays meet at a point
 // in front of the camera, and farther objects are larger.
 #include "main.glsl"
 #define pixelRay chapterPixelRay

@@ -1,4 +1,4 @@
-// Solution of exercise 08.5: empty cubes instead of empty balls. The scene's distance consists only
+// Solution to exercise 08.5: empty cubes instead of empty balls. The scene's distance consists only
 // of maxima, minima and coordinates, so the cube of half side f around a point is empty too, and a
 // ray leaves it only after f / max(|d.x|, |d.y|, |d.z|).
 #include "main.glsl"

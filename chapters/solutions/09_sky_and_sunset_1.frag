@@ -1,4 +1,4 @@
-// Solution of exercise 09.1: the seasons. Latitude and declination become parameters.
+// Solution to exercise 09.1: the seasons. Latitude and declination become parameters.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "09_sky_and_sunset.frag"

@@ -1,4 +1,4 @@
-// Solution of exercise 09.3: the other method of chapter 07. It evaluates the cell and its nearer
+// Solution to exercise 09.3: the other method of chapter 07. It evaluates the cell and its nearer
 // neighbours, four in all, and caps the result with the distance to the outer wall of these four
 // cells plus GAP.
 #include "main.glsl"

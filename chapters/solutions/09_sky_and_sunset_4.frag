@@ -1,4 +1,4 @@
-// Solution of exercise 09.4: stars. The celestial sphere turns about the pole. Each small square on
+// Solution to exercise 09.4: stars. The celestial sphere turns about the pole. Each small square on
 // a cube around it contains one star or none, as an integer hash of the square decides.
 #include "main.glsl"
 #define rayColour chapterRayColour
@@ -23,8 +23,8 @@ vec3 starFrame(vec3 direction)
 vec3 starOf(ivec3 square)
 {
     float random = cellRandom(square);
-    vec2 place = 0.25 + 0.5 * fract(random * vec2(256.0, 65536.0));
-    return vec3(place, random < 0.4 ? 0.2 + 5.0 * random * random : 0.0);
+    vec2 point = 0.25 + 0.5 * fract(random * vec2(256.0, 65536.0));
+    return vec3(point, random < 0.4 ? 0.2 + 5.0 * random * random : 0.0);
 }
 
 float starLight(vec3 direction)
@@ -32,9 +32,9 @@ float starLight(vec3 direction)
     vec3 d = starFrame(direction), size = abs(d);
     float largest = max(size.x, max(size.y, size.z));
     int face = size.x == largest ? 0 : size.y == largest ? 1 : 2;
-    vec2 place = 24.0 * (face == 0 ? d.yz : face == 1 ? d.zx : d.xy) / largest;
-    vec3 star = starOf(ivec3(floor(place), 2 * face + (d[face] < 0.0 ? 1 : 0)));
-    return star.z * (1.0 - smoothstep(0.0, starSize, length(fract(place) - star.xy) / 24.0));
+    vec2 point = 24.0 * (face == 0 ? d.yz : face == 1 ? d.zx : d.xy) / largest;
+    vec3 star = starOf(ivec3(floor(point), 2 * face + (d[face] < 0.0 ? 1 : 0)));
+    return star.z * (1.0 - smoothstep(0.0, starSize, length(fract(point) - star.xy) / 24.0));
 }
 
 vec3 rayColour(Ray ray)

@@ -1,4 +1,4 @@
-// Solution of exercise 10.2: a star of five crossing sides, filled where the outline winds around a
+// Solution to exercise 10.2: a star of five crossing sides, filled where the outline winds around a
 // point.
 #include "main.glsl"
 #define sceneDistance chapterDistance

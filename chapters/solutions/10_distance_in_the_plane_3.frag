@@ -1,4 +1,4 @@
-// Solution of exercise 10.3: the exact distance to a regular hexagon. The point is folded into a
+// Solution to exercise 10.3: the exact distance to a regular hexagon. The point is folded into a
 // twelfth of the plane, which contains only half a side.
 #include "main.glsl"
 #define sceneDistance chapterDistance

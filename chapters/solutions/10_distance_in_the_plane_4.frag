@@ -1,4 +1,4 @@
-// Solution of exercise 10.4: a lamp at the ray's start. Points that its light does not reach are in
+// Solution to exercise 10.4: a lamp at the ray's start. Points that its light does not reach are in
 // shadow.
 #include "main.glsl"
 #define rayColour chapterRayColour
@@ -8,7 +8,7 @@
 vec3 rayColour(Ray ray)
 {
     vec3 colour = chapterRayColour(ray);
-    vec2 way = sheetPlace(screenPosition(gl_FragCoord.xy + iPixelOffset)) - rayStart;
+    vec2 way = planePoint(screenPosition(gl_FragCoord.xy + iPixelOffset)) - rayStart;
     float away = length(way);
     Ray toPlace = Ray(vec3(rayStart, 0.0), vec3(way / max(away, 1e-6), 0.0));
     return march(toPlace, 0.0, away, hitThreshold, maxSteps).found ? 0.6 * colour : colour;

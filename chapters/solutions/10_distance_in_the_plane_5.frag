@@ -1,4 +1,4 @@
-// Solution of exercise 10.5: the ring of the still life has a square cross-section, which rests on
+// Solution to exercise 10.5: the ring of the still life has a square cross-section, which rests on
 // a corner. The square does not reach the axis, so the distance is exact.
 #include "transform.glsl"
 #include "plane.glsl"

@@ -1,4 +1,4 @@
-// Solution of exercise 10.6: the wall's function is divided by its largest slope, whatever the
+// Solution to exercise 10.6: the wall's function is divided by its largest slope, whatever the
 // twist and the taper.
 #include "main.glsl"
 #define sceneDistance experimentDistance

@@ -1,4 +1,4 @@
-// Solution of exercise 10.7: the exact distance to the intersection of two discs. Beyond the tips,
+// Solution to exercise 10.7: the exact distance to the intersection of two discs. Beyond the tips,
 // the nearest point is a tip.
 #include "main.glsl"
 #define sceneDistance chapterDistance

@@ -1,4 +1,4 @@
-// Solution of exercise 11.1: the jug is glazed from its shoulder up. The march evaluates nothing
+// Solution to exercise 11.1: the jug is glazed from its shoulder up. The march evaluates nothing
 // new; the height of the hit determines which part of the jug it is.
 //
 // The chapter's own materialAt is renamed, and rayColour, which calls it, is replaced.

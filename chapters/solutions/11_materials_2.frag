@@ -1,4 +1,4 @@
-// Solution of exercise 11.2: all blends are quadratic, each with the share that belongs to it.
+// Solution to exercise 11.2: all blends are quadratic, each with the share that belongs to it.
 //
 // The chapter's calls to opSmoothUnion and smoothUnionShare are replaced by calls to the quadratic
 // functions.

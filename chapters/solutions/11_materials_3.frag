@@ -1,4 +1,4 @@
-// Solution of exercise 11.3: a striped cloth. Only the first coordinate counts, so the mean over
+// Solution to exercise 11.3: a striped cloth. Only the first coordinate counts, so the mean over
 // the rectangle is the mean of one factor.
 //
 // The chapter's call to checkers is replaced by a call to stripeShare.

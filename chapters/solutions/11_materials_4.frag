@@ -1,4 +1,4 @@
-// Solution of exercise 11.4: whole balls, five along each side. The repetition is limited, and
+// Solution to exercise 11.4: whole balls, five along each side. The repetition is limited, and
 // nothing is cut.
 //
 // The experiment's own sceneDistance is renamed.

@@ -1,4 +1,4 @@
-// Solution of exercise 11.5: a blend of three balls that does not depend on their order, and its
+// Solution to exercise 11.5: a blend of three balls that does not depend on their order, and its
 // shares.
 //
 // The experiment's sceneDistance and ballMaterial are replaced, and so is rayColour, which calls

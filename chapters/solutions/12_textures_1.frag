@@ -1,4 +1,4 @@
-// Solution of exercise 12.1: only the nearest side. This takes one lookup and leaves a seam where
+// Solution to exercise 12.1: only the nearest side. This takes one lookup and leaves a seam where
 // two sides are equally near.
 //
 // The chapter's call to planeWeights is replaced by a call to nearestWeights.

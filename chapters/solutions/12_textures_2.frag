@@ -1,4 +1,4 @@
-// Solution of exercise 12.2: a threshold instead of a power. Below the threshold, the weight of a
+// Solution to exercise 12.2: a threshold instead of a power. Below the threshold, the weight of a
 // side is 0.
 //
 // The chapter's call to planeWeights is replaced by a call to thresholdWeights.

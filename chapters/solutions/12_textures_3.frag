@@ -1,4 +1,4 @@
-// Solution of exercise 12.3: ridges. Every octave is folded at 1/2, which doubles its slope.
+// Solution to exercise 12.3: ridges. Every octave is folded at 1/2, which doubles its slope.
 //
 // The chapter's calls to octaveNoise and octaveStretch are replaced by calls to these functions.
 #include "main.glsl"

@@ -1,4 +1,4 @@
-// Solution of exercise 12.4: a circle of the same area instead of the ellipse. The result is
+// Solution to exercise 12.4: a circle of the same area instead of the ellipse. The result is
 // sharper, and sparkles more.
 //
 // The chapter's call to footprintOn is replaced by a call to roundFootprintOn.

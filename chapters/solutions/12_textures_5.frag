@@ -1,4 +1,4 @@
-// Solution of exercise 12.5: long pixels take eight lookups along the ellipse, each as wide as the
+// Solution to exercise 12.5: long pixels take eight lookups along the ellipse, each as wide as the
 // short axis and as long as an eighth of the long one.
 //
 // The chapter's calls to textureOnSlide, for plank and cloth, are replaced by calls to
@@ -12,8 +12,8 @@ vec4 textureAlong(sampler2D picture, Slide slide)
 {
     vec4 sum = vec4(0.0);
     for (int i = 0; i < LOOKUPS; i++) {
-        float place = (float(i) + 0.5) / float(LOOKUPS) - 0.5;
-        sum += textureGrad(picture, slide.at + place * slide.along, slide.across, slide.along / float(LOOKUPS));
+        float offset = (float(i) + 0.5) / float(LOOKUPS) - 0.5;
+        sum += textureGrad(picture, slide.at + offset * slide.along, slide.across, slide.along / float(LOOKUPS));
     }
     return sum / float(LOOKUPS);
 }

@@ -1,4 +1,4 @@
-// Solution of exercise 13.1: in the penumbra the light falls as the visible share of a disc, not
+// Solution to exercise 13.1: in the penumbra the light falls as the visible share of a disc, not
 // linearly.
 #include "main.glsl"
 #define rayColour chapterRayColour
@@ -8,10 +8,10 @@
 vec3 rayColour(Ray ray)
 {
     vec3 toSun = sunDirection();
-    Place place = placeAt(ray);
-    Ray there = sunRay(place, toSun);
-    Clearance clearance = clearanceAlong(there, 0.0, sunReach(place, there), hitThreshold, maxSteps);
+    Surface surface = surfaceAt(ray);
+    Ray there = sunRay(surface, toSun);
+    Clearance clearance = clearanceAlong(there, 0.0, sunReach(surface, there), hitThreshold, maxSteps);
     float clear = clearance.least / spread;          // from 0 to 1 and more
     float seen = discBesideEdge(2.0 * clear - 1.0);
-    return encodeSRGB(placeLight(place, ray, toSun, seen));
+    return encodeSRGB(surfaceLight(surface, ray, toSun, seen));
 }

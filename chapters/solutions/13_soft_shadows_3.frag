@@ -1,4 +1,4 @@
-// Solution of exercise 13.3: a square window instead of the disc.
+// Solution to exercise 13.3: a square window instead of the disc.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"
@@ -19,8 +19,8 @@ float windowReaching(Ray ray, float far)
 vec3 rayColour(Ray ray)
 {
     vec3 toSun = sunDirection();
-    Place place = placeAt(ray);
-    Ray there = sunRay(place, toSun);
-    float seen = windowReaching(there, sunReach(place, there));
-    return encodeSRGB(placeLight(place, ray, toSun, seen));
+    Surface surface = surfaceAt(ray);
+    Ray there = sunRay(surface, toSun);
+    float seen = windowReaching(there, sunReach(surface, there));
+    return encodeSRGB(surfaceLight(surface, ray, toSun, seen));
 }

@@ -1,4 +1,4 @@
-// Solution of exercise 13.4: one ray per sample, and each sample has its own cell.
+// Solution to exercise 13.4: one ray per sample, and each sample has its own cell.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"
@@ -17,8 +17,8 @@ float oneReaching(Ray ray, float far)
 vec3 rayColour(Ray ray)
 {
     vec3 toSun = sunDirection();
-    Place place = placeAt(ray);
-    Ray there = sunRay(place, toSun);
-    float seen = oneReaching(there, sunReach(place, there));
-    return encodeSRGB(placeLight(place, ray, toSun, seen));
+    Surface surface = surfaceAt(ray);
+    Ray there = sunRay(surface, toSun);
+    float seen = oneReaching(there, sunReach(surface, there));
+    return encodeSRGB(surfaceLight(surface, ray, toSun, seen));
 }

@@ -1,4 +1,4 @@
-// Solution of exercise 13.5: the march continues inside. There, distance / t is negative and shows
+// Solution to exercise 13.5: the march continues inside. There, distance / t is negative and shows
 // how far the ray is behind the edge. One closed form covers both sides.
 #include "main.glsl"
 #define rayColour chapterRayColour
@@ -25,8 +25,8 @@ float signedClearance(Ray ray, float far)
 vec3 rayColour(Ray ray)
 {
     vec3 toSun = sunDirection();
-    Place place = placeAt(ray);
-    Ray there = sunRay(place, toSun);
-    float seen = discBesideEdge(signedClearance(there, sunReach(place, there)) / spread);
-    return encodeSRGB(placeLight(place, ray, toSun, seen));
+    Surface surface = surfaceAt(ray);
+    Ray there = sunRay(surface, toSun);
+    float seen = discBesideEdge(signedClearance(there, sunReach(surface, there)) / spread);
+    return encodeSRGB(surfaceLight(surface, ray, toSun, seen));
 }

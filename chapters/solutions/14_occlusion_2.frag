@@ -1,4 +1,4 @@
-// Solution of exercise 14.2: the two box trees hide part of the sky, in closed form, and nothing
+// Solution to exercise 14.2: the two box trees hide part of the sky, in closed form, and nothing
 // else does.
 #include "main.glsl"
 #define rayColour chapterRayColour
@@ -8,11 +8,11 @@
 vec3 rayColour(Ray ray)
 {
     lookingRound = false;
-    Place place = courtyardPlace(ray, hitThreshold, maxSteps);
-    vec3 start = place.p + 2.0 * place.radius * place.normal;
-    float large = hiddenByBall(start, place.normal, COURT_BALL.xyz, COURT_BALL.w);
-    float small = hiddenByBall(start, place.normal, COURT_SMALL_BALL.xyz, COURT_SMALL_BALL.w);
-    bool green = boxTreeDistance(place.p) < place.radius;
-    float open = green ? 1.0 : openOverGround(place.normal) * (1.0 - large) * (1.0 - small);
-    return encodeSRGB(place.open ? skyLight(ray.direction) : placeLight(place, open));
+    Surface surface = courtyardSurface(ray, hitThreshold, maxSteps);
+    vec3 start = surface.p + 2.0 * surface.radius * surface.normal;
+    float large = hiddenByBall(start, surface.normal, COURT_BALL.xyz, COURT_BALL.w);
+    float small = hiddenByBall(start, surface.normal, COURT_SMALL_BALL.xyz, COURT_SMALL_BALL.w);
+    bool green = boxTreeDistance(surface.p) < surface.radius;
+    float open = green ? 1.0 : openOverGround(surface.normal) * (1.0 - large) * (1.0 - small);
+    return encodeSRGB(surface.open ? skyLight(ray.direction) : surfaceLight(surface, open));
 }

@@ -1,4 +1,4 @@
-// Solution of exercise 14.3: a sky three times as bright at the zenith as at the horizon; an open
+// Solution to exercise 14.3: a sky three times as bright at the zenith as at the horizon; an open
 // floor gets as much as before.
 #include "main.glsl"
 #define rayColour chapterRayColour
@@ -8,17 +8,17 @@
 vec3 rayColour(Ray ray)
 {
     lookingRound = false;
-    Place place = courtyardPlace(ray, hitThreshold, maxSteps);
+    Surface surface = courtyardSurface(ray, hitThreshold, maxSteps);
     lookingRound = true;
     float sum = 0.0;
     for (int i = 0; i < rays * rays; i++) {
         vec2 lot = vec2(pixelRandom(2 * i), pixelRandom(2 * i + 1));
         vec2 square = (vec2(i % rays, i / rays) + lot) / float(rays);
-        vec3 direction = cosineDirection(place.normal, square);
-        Ray there = shadowRay(place.p, place.normal, direction, 2.0 * place.radius);
+        vec3 direction = cosineDirection(surface.normal, square);
+        Ray there = shadowRay(surface.p, surface.normal, direction, 2.0 * surface.radius);
         float bright = (3.0 + 6.0 * max(direction.y, 0.0)) / 7.0;
         sum += bright * lightReaching(there, COURT_FAR, hitThreshold, maxSteps);
     }
     float open = sum / float(rays * rays);
-    return encodeSRGB(place.open ? skyLight(ray.direction) : placeLight(place, open));
+    return encodeSRGB(surface.open ? skyLight(ray.direction) : surfaceLight(surface, open));
 }

@@ -1,4 +1,4 @@
-// Solution of exercise 15.1: three exposures side by side, one stop apart.
+// Solution to exercise 15.1: three exposures side by side, one stop apart.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "15_the_picture.frag"

@@ -1,4 +1,4 @@
-// Solution of exercise 15.2: a uniform layer of fog up to the height fogScale, and clear air above
+// Solution to exercise 15.2: a uniform layer of fog up to the height fogScale, and clear air above
 // it.
 #include "main.glsl"
 #define rayColour chapterRayColour

@@ -1,4 +1,4 @@
-// Solution of exercise 15.4: an aperture of four straight blades.
+// Solution to exercise 15.4: an aperture of four straight blades.
 #include "main.glsl"
 #define pixelRay chapterPixelRay
 #include "15_the_picture.frag"
@@ -7,6 +7,6 @@
 Ray pixelRay(vec2 screen)
 {
     Ray ray = perspectiveRay(filteredScreen(screen, kernel, jitter, 0));
-    vec2 place = 2.0 * sampleSquare(2) - 1.0;
-    return lensRay(ray, iSamples > 1 ? place : vec2(0.0), aperture, focus);
+    vec2 point = 2.0 * sampleSquare(2) - 1.0;
+    return lensRay(ray, iSamples > 1 ? point : vec2(0.0), aperture, focus);
 }

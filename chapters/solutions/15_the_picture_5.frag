@@ -1,4 +1,4 @@
-// Solution of exercise 15.5: a tilted plane in focus. Its distance differs from ray to ray.
+// Solution to exercise 15.5: a tilted plane in focus. Its distance differs from ray to ray.
 #include "main.glsl"
 #define pixelRay chapterPixelRay
 #include "15_the_picture.frag"

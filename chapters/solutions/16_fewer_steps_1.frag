@@ -1,4 +1,4 @@
-// Solution of exercise 16.1: where the coarse pass lets the rays begin, in grey.
+// Solution to exercise 16.1: where the coarse pass lets the rays begin, in grey.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "16_fewer_steps.frag"

@@ -1,4 +1,4 @@
-// Solution of exercise 16.4: the last two distances show how fast the distance falls, and so how
+// Solution to exercise 16.4: the last two distances show how fast the distance falls, and so how
 // far the next step may go. After a step back, the march uses longer steps again.
 #include "main.glsl"
 #include "relaxed.glsl"

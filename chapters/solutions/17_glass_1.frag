@@ -1,4 +1,4 @@
-// Solution of exercise 17.1: Schlick's share instead of Fresnel's. Inside the glass, Schlick's
+// Solution to exercise 17.1: Schlick's share instead of Fresnel's. Inside the glass, Schlick's
 // formula needs the cosine behind the surface.
 #include "main.glsl"
 #include "glass.glsl"

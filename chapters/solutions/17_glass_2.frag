@@ -1,4 +1,4 @@
-// Solution of exercise 17.2: a bubble of air in the ball. The larger of two distances is exact
+// Solution to exercise 17.2: a bubble of air in the ball. The larger of two distances is exact
 // inside.
 #include "main.glsl"
 #define sceneDistance chapterDistance

@@ -1,4 +1,4 @@
-// Solution of exercise 17.3: red where no light gets out at the second surface.
+// Solution to exercise 17.3: red where no light gets out at the second surface.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "17_glass.frag"

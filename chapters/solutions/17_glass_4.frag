@@ -1,4 +1,4 @@
-// Solution of exercise 17.4: the light that is left when the number of surfaces runs out comes from
+// Solution to exercise 17.4: the light that is left when the number of surfaces runs out comes from
 // the room, as if there were no more glass in its path.
 #include "main.glsl"
 #define rayColour chapterRayColour

@@ -1,4 +1,4 @@
-// Solution of exercise 17.5: each sample has its own wavelengths, from the same parts of the
+// Solution to exercise 17.5: each sample has its own wavelengths, from the same parts of the
 // spectrum.
 #include "main.glsl"
 #define rayColour chapterRayColour

@@ -1,4 +1,4 @@
-// Solution of exercise 18.1: the table as the article draws it, on the side of the sun. The sine of
+// Solution to exercise 18.1: the table as the article draws it, on the side of the sun. The sine of
 // the sun's height increases to the right, from -0.28 to 1, and the sine of the direction's height
 // increases upwards, from 0 to 1.
 #include "main.glsl"

@@ -1,4 +1,4 @@
-// Solution of exercise 18.2: an eclipse. The moon is a little above the sun and hides the sun and
+// Solution to exercise 18.2: an eclipse. The moon is a little above the sun and hides the sun and
 // its halo.
 #include "main.glsl"
 #define rayColour chapterRayColour
@@ -11,11 +11,11 @@ uniform float apart;      // 0.1 in [-3, 3] step 0.05, degrees: height of the mo
 vec3 rayColour(Ray ray)
 {
     vec3 sun = sunNow();
-    Place place = placeAlong(ray);
+    Surface surface = surfaceAlong(ray);
     vec3 up = normalize(vec3(0.0, 1.0, 0.0) - sun.y * sun);
     vec3 moon = cos(radians(apart)) * sun + sin(radians(apart)) * up;
-    float hidden = disc(place.leaves, moon, radians(moonRadius));
-    vec3 sky = tableSky(sunward, away, place.leaves, sun);
-    sky += (1.0 - hidden) * tableSun(halo, place.leaves, sun, radians(sunRadius));
-    return developed(placeLight(place, sky, sun), sun);
+    float hidden = disc(surface.leaves, moon, radians(moonRadius));
+    vec3 sky = tableSky(sunward, away, surface.leaves, sun);
+    sky += (1.0 - hidden) * tableSun(halo, surface.leaves, sun, radians(sunRadius));
+    return developed(surfaceLight(surface, sky, sun), sun);
 }

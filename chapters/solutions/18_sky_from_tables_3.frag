@@ -1,4 +1,4 @@
-// Solution of exercise 18.3: a painted sky. painted_sky.png has two storeys: the lower one for the
+// Solution to exercise 18.3: a painted sky. painted_sky.png has two storeys: the lower one for the
 // half that contains the sun, the upper one for the other half. In each, the sine of the sun's
 // height increases to the right, from -1 to 1, and the sine of the direction's height increases
 // upwards, from 0 to 1.
@@ -20,11 +20,11 @@ vec3 paintedColour(float sun, float direction, float storey)
 vec3 rayColour(Ray ray)
 {
     vec3 sun = sunNow();
-    Place place = placeAlong(ray);
-    vec3 d = place.leaves;
+    Surface surface = surfaceAlong(ray);
+    vec3 d = surface.leaves;
     float a = dot(d.xz, sun.xz) / max(length(d.xz) * length(sun.xz), 1e-6);
     // The paint is the final colour: find the light that the exposure turns into it.
     vec3 light = mix(paintedColour(sun.y, d.y, 1.0), paintedColour(sun.y, d.y, 0.0), 0.5 + 0.5 * a);
     light = exposed(light, -hourStops(sun.y));
-    return developed(placeLight(place, light, sun), sun);
+    return developed(surfaceLight(surface, light, sun), sun);
 }

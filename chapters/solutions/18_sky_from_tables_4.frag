@@ -1,4 +1,4 @@
-// Solution of exercise 18.4: the light of the sky on the islet, from the tables themselves. It is
+// Solution to exercise 18.4: the light of the sky on the islet, from the tables themselves. It is
 // the mean of twelve directions: four horizontal angles, and three heights that represent equal shares
 // of the light on a horizontal surface.
 #include "main.glsl"

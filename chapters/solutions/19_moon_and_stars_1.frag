@@ -1,4 +1,4 @@
-// Solution of exercise 19.1: the lines of a star chart, one for each hour of right ascension and
+// Solution to exercise 19.1: the lines of a star chart, one for each hour of right ascension and
 // one for each 15 degrees of declination.
 #include "main.glsl"
 #include "cone.glsl"

@@ -1,4 +1,4 @@
-// Solution of exercise 19.3: the guest star of the year 1054, of magnitude -6, in the constellation
+// Solution to exercise 19.3: the guest star of the year 1054, of magnitude -6, in the constellation
 // Taurus.
 #include "main.glsl"
 #include "night.glsl"

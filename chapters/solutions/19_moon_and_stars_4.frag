@@ -1,4 +1,4 @@
-// Solution of exercise 19.4: crystals of ice produce a ring around the moon.
+// Solution to exercise 19.4: crystals of ice produce a ring around the moon.
 #include "main.glsl"
 #include "sky.glsl"
 

@@ -1,13 +1,13 @@
-// Solution of exercise 20.1: the high layer over a flat Earth.
+// Solution to exercise 20.1: the high layer over a flat Earth.
 #include "main.glsl"
 #include "clouds.glsl"
 
 Cloud flatLayer(sampler2D layer, vec3 eye, vec3 direction, float altitude, float period, float width)
 {
     float climb = max(direction.y, 0.0005), t = (altitude - eye.y) / climb;
-    vec2 place = (eye.xz + t * direction.xz) / period;
+    vec2 uv = (eye.xz + t * direction.xz) / period;
     float reach = width * t / climb / period;
-    float cover = textureGrad(layer, place, vec2(reach, 0.0), vec2(0.0, reach)).x;
+    float cover = textureGrad(layer, uv, vec2(reach, 0.0), vec2(0.0, reach)).x;
     return Cloud(cover, 0.9 * cover, 0.0);
 }
 

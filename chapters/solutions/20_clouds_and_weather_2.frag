@@ -1,4 +1,4 @@
-// Solution of exercise 20.2: an overcast sky that is the same in all directions and gives as much
+// Solution to exercise 20.2: an overcast sky that is the same in all directions and gives as much
 // light as before.
 #include "main.glsl"
 #include "clouds.glsl"

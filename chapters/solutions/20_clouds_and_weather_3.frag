@@ -1,4 +1,4 @@
-// Solution of exercise 20.3: clouds in front of the sun cast a shadow on coast and sea.
+// Solution to exercise 20.3: clouds in front of the sun cast a shadow on coast and sea.
 #include "main.glsl"
 #define rayColour chapterColour
 #include "20_clouds_and_weather.frag"
@@ -8,7 +8,7 @@ vec3 rayColour(Ray ray)
 {
     Lights lights = lightsAt(timeOfDay + hoursPerSecond * iTime);
     lights.low *= 1.0 - 0.85 * cloudsAt(lights.sun, 0.05).cover;
-    Place place = placeAlong(ray);
-    vec3 sky = skyWithClouds(place.seen.direction, lights, skyWidth(place));
-    return developed(placeLight(place, ray.direction, sky, lights), place, lights);
+    Surface surface = surfaceAlong(ray);
+    vec3 sky = skyWithClouds(surface.seen.direction, lights, skyWidth(surface));
+    return developed(surfaceLight(surface, ray.direction, sky, lights), surface, lights);
 }

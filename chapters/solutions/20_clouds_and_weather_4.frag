@@ -1,4 +1,4 @@
-// Solution of exercise 20.4: a rainbow.
+// Solution to exercise 20.4: a rainbow.
 #include "main.glsl"
 #define rayColour chapterColour
 #include "20_clouds_and_weather.frag"
@@ -15,8 +15,8 @@ vec3 rainbow(vec3 direction, Lights lights)
 vec3 rayColour(Ray ray)
 {
     Lights lights = lightsAt(timeOfDay + hoursPerSecond * iTime);
-    Place place = placeAlong(ray);
-    vec3 sky = skyWithClouds(place.seen.direction, lights, skyWidth(place));
-    vec3 light = placeLight(place, ray.direction, sky, lights) + rainbow(ray.direction, lights);
-    return developed(light, place, lights);
+    Surface surface = surfaceAlong(ray);
+    vec3 sky = skyWithClouds(surface.seen.direction, lights, skyWidth(surface));
+    vec3 light = surfaceLight(surface, ray.direction, sky, lights) + rainbow(ray.direction, lights);
+    return developed(light, surface, lights);
 }

@@ -1,4 +1,4 @@
-// Solution of exercise 20.5: the panorama carried by the wind, endlessly.
+// Solution to exercise 20.5: the panorama carried by the wind, endlessly.
 #include "main.glsl"
 #include "clouds.glsl"
 

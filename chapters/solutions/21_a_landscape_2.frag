@@ -1,4 +1,4 @@
-// Solution of exercise 21.2: snow down to an adjustable height, as late in the year, and grass that
+// Solution to exercise 21.2: snow down to an adjustable height, as late in the year, and grass that
 // ends below it.
 //
 // The chapter's call to landColour becomes a call to winterColour.

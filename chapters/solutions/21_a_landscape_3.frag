@@ -1,4 +1,4 @@
-// Solution of exercise 21.3: gorges instead of ridges. The fold is turned upside down. No bound
+// Solution to exercise 21.3: gorges instead of ridges. The fold is turned upside down. No bound
 // changes, because |grad| is the same.
 //
 // All calls to ridged become calls to gorge.

@@ -1,4 +1,4 @@
-// Solution of exercise 21.4: a second layer of mist, low over the lake, dense at six in the morning
+// Solution to exercise 21.4: a second layer of mist, low over the lake, dense at six in the morning
 // and gone at nine. The optical depths of two layers add up.
 //
 // The chapter's calls to fogDepth become calls to morningDepth.

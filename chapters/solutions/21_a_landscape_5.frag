@@ -1,4 +1,4 @@
-// Solution of exercise 21.5: a steep island with its own bound.
+// Solution to exercise 21.5: a steep island with its own bound.
 #include "main.glsl"
 #include "valley.glsl"
 

@@ -1,4 +1,4 @@
-// Solution of exercise 22.1: how long the lists are. The cell of a point contains the length of its list.
+// Solution to exercise 22.1: how long the lists are. The cell of a point contains the length of its list.
 #include "main.glsl"
 #define rayColour chapterColour
 #include "22_many_parts.frag"

@@ -1,4 +1,4 @@
-// Solution of exercise 22.2: what a shadow costs. The parts that were evaluated before the shadow ray are subtracted.
+// Solution to exercise 22.2: what a shadow costs. The parts that were evaluated before the shadow ray are subtracted.
 #include "main.glsl"
 #define rayColour chapterColour
 #include "22_many_parts.frag"

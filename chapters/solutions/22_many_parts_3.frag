@@ -1,4 +1,4 @@
-// Solution of exercise 22.3: a march that does not know the cells. The distance is a lower bound, so the march of
+// Solution to exercise 22.3: a march that does not know the cells. The distance is a lower bound, so the march of
 // chapter 01 steps over nothing; but where a list is not empty, no step is longer than the margin.
 #include "main.glsl"
 #define rayColour chapterColour

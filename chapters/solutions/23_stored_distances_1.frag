@@ -1,4 +1,4 @@
-// Solution of exercise 23.1: the cells of the grid, as a chequered pattern on the clay.
+// Solution to exercise 23.1: the cells of the grid, as a chequered pattern on the clay.
 //
 // A macro replaces the chapter's call to gradientNoise with a call to cellPattern.
 #include "main.glsl"

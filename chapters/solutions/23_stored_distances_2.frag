@@ -1,4 +1,4 @@
-// Solution of exercise 23.2: half of a hollow elephant.
+// Solution to exercise 23.2: half of a hollow elephant.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "23_stored_distances.frag"

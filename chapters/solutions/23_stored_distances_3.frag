@@ -1,4 +1,4 @@
-// Solution of exercise 23.3: halfway between the elephant and a ball.
+// Solution to exercise 23.3: halfway between the elephant and a ball.
 #include "main.glsl"
 #include "primitives.glsl"
 #define sceneDistance chapterDistance

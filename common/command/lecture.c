@@ -132,9 +132,9 @@ static bool add_sentence(struct lecture *lecture, const char *text)
 // Begin all further messages with the list's name and this line number.
 static void begin_line(const struct lecture *lecture, int line)
 {
-    char place[1024];
-    snprintf(place, sizeof place, "%.900s:%d", lecture->path, line);
-    report_place(place);
+    char location[1024];
+    snprintf(location, sizeof location, "%.900s:%d", lecture->path, line);
+    report_location(location);
 }
 
 // Sort the lines of the text into parts, scenes and sentences.
@@ -158,7 +158,7 @@ static int read_lines(struct lecture *lecture)
         else if (blank == 0)
             add_scene(lecture, line, text);
     }
-    report_place(NULL);
+    report_location(NULL);
     if (lecture->count > 0)
         return RUN_DONE;
     report("%s: contains no scene: a scene is a line such as 03 --set shadowOffset=0.25",
@@ -185,7 +185,7 @@ int lecture_read(struct lecture **lecture, const char *path, const struct lectur
         scene->caption = memory_text("%d/%d  %s", i + 1, new->count,
                                      scene->sentence != NULL ? scene->sentence : "");
     }
-    report_place(NULL);
+    report_location(NULL);
     return status;
 }
 
@@ -251,7 +251,7 @@ static bool compile(struct lecture *lecture, struct scene *scene)
         scene->run.picture[i].request = (struct shader_request){0};
     bool done =
         run_read_shaders(&scene->run) == RUN_DONE && run_compile(&scene->run, &lecture->context.gl);
-    report_place(NULL);
+    report_location(NULL);
     return done;
 }
 

@@ -45,10 +45,10 @@ static bool find_pixels(struct renderer *renderer, const struct renderer_inputs 
                         const float *point, float *pixel)
 {
     const struct gl *gl = renderer->gl;
-    if (!renderer_link(renderer, SHADER_PLACES) ||
+    if (!renderer_link(renderer, SHADER_PROJECTION) ||
         !target_bind(&renderer->points, gl, POINTS * HANDLES_MOST, 1))
         return false;
-    renderer_use(renderer, inputs, SHADER_PLACES);
+    renderer_use(renderer, inputs, SHADER_PROJECTION);
     gl->Uniform1i(renderer->used[UNIFORM_iHandlePoints], count);
     gl->Uniform3fv(renderer->used[UNIFORM_iHandlePoint], count, point);
     renderer_clear(gl);

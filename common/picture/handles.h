@@ -17,7 +17,8 @@ struct handle {
 };
 
 // Find the handles of a renderer's shader in a picture, whatever the shader's pixelRay.
-//   formula  shaders/places.glsl finds the pixels of the points p, p + e a and p + e b, where a and
+//   formula  shaders/projection.glsl finds the pixels of the points p, p + e a and p + e b, where a
+//   and
 //            b are the axes, and e is a hundredth of the distance to the camera; move is the
 //            difference divided by e, which is the derivative up to terms of order e
 // Returns the number of handles, or -1 after reporting the error.

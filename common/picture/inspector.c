@@ -98,13 +98,13 @@ static void mark_path(struct overlay *overlay, const struct probe *probe, int la
 {
     float before[2] = {0.0f, 0.0f}, at[2];
     for (int k = 0; k <= last; k++) {
-        position_of(overlay, probe->step[k].place, at);
+        position_of(overlay, probe->step[k].pixel, at);
         if (probe->step[k].seen && k > 0 && probe->step[k - 1].seen)
             edged(overlay, before, at, 1.0f, PEN_BRIGHT);
         memcpy(before, at, sizeof before);
     }
     for (int k = 0; k <= last; k++) {
-        position_of(overlay, probe->step[k].place, at);
+        position_of(overlay, probe->step[k].pixel, at);
         if (probe->step[k].seen)
             edged(overlay, at, at, 3.0f, PEN_BRIGHT);
     }
@@ -123,9 +123,9 @@ void inspector_mark(struct overlay *overlay, const struct inspector *inspector)
     if (row < 0 || !probe->step[row].seen)
         return;
     float here[2], next[2];
-    position_of(overlay, probe->step[row].place, here);
+    position_of(overlay, probe->step[row].pixel, here);
     if (row + 1 < probe_rows(probe) && probe->step[row + 1].seen) {
-        position_of(overlay, probe->step[row + 1].place, next);
+        position_of(overlay, probe->step[row + 1].pixel, next);
         mark_arrow(overlay, here, next);
     }
     edged(overlay, here, here, probe->pinned ? 6.0f : 4.0f, PEN_HERE);
@@ -175,7 +175,7 @@ static void find_span(const struct overlay *overlay, const struct inspector *ins
     for (int k = 0; k < probe_rows(probe); k++) {
         if (!probe->step[k].seen)
             continue;
-        position_of(overlay, probe->step[k].place, at);
+        position_of(overlay, probe->step[k].pixel, at);
         bool joined = k > 0 && probe->step[k - 1].seen;
         for (int i = 1; i <= 32; i++) { // points of the line to this step
             float share = joined ? (float)i / 32.0f : 1.0f;

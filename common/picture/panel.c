@@ -223,9 +223,9 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
                                          rows->top + rows->height};
     static const struct inspector_room nothing = {0};
     if (marched && !panel->bare && !(shader_shows_ray(view) && panel->folded)) {
-        const struct inspector_room place =
+        const struct inspector_room area =
             inspector_place(overlay, &inspector, rows->count > 0 ? &taken : &nothing, bottom);
-        inspector_march(overlay, &inspector, &place, panel->table);
+        inspector_march(overlay, &inspector, &area, panel->table);
     } else if (refused && !panel->bare)
         inspector_why(overlay, panel->why);
     if (panel->pixel[0] >= 0)

@@ -19,7 +19,7 @@ static struct panel_row *add(struct panel_rows *rows, enum panel_row_kind kind, 
 {
     rows->row = memory_row(rows->row, rows->count, sizeof *rows->row);
     struct panel_row *row = &rows->row[rows->count++];
-    *row = (struct panel_row){.kind = kind, .parameter = -1, .part = -1, .place = -1.0};
+    *row = (struct panel_row){.kind = kind, .parameter = -1, .part = -1, .fraction = -1.0};
     snprintf(row->cell[0], PANEL_CELL, "%s", text);
     return row;
 }
@@ -146,7 +146,7 @@ static void add_parts(struct panel_rows *rows, const struct parameter *parameter
         row->parameter = index;
         row->part = k;
         row->selected = selected;
-        row->place = parameter_place(parameter, k);
+        row->fraction = parameter_fraction(parameter, k);
     }
 }
 
@@ -163,11 +163,11 @@ static void add_parameter(struct panel_rows *rows, const struct panel *panel, in
     fill_cells(panel, parameter, row->cell);
     row->parameter = index;
     row->selected = parameter == panel->selected;
-    row->place = parameter->components == 1 ? parameter_place(parameter, 0) : -1.0;
+    row->fraction = parameter->components == 1 ? parameter_fraction(parameter, 0) : -1.0;
     if (has_swatch(panel, parameter)) {
         row->swatch = PANEL_GAP + rows->column[0] + PANEL_GAP;
         for (int k = 0; k < 3; k++)
-            row->share[k] = parameter_place(parameter, k);
+            row->share[k] = parameter_fraction(parameter, k);
     }
     bool selected = row->selected;
     if (!selected && (index >= 64 || (panel->open >> index & 1) == 0))
@@ -220,7 +220,7 @@ static void cut(struct panel_rows *rows, int first, int end, float bottom, int p
         from = to < 0 ? kept[i].parameter + 1 : from;
         to = kept[i].parameter + 1;
     }
-    kept[room] = (struct panel_row){PANEL_ROW_TEXT, .parameter = -1, .part = -1, .place = -1.0};
+    kept[room] = (struct panel_row){PANEL_ROW_TEXT, .parameter = -1, .part = -1, .fraction = -1.0};
     if (to < 0)
         snprintf(kept[room].cell[0], PANEL_CELL, "%d parameter%s", parameters,
                  parameters == 1 ? "" : "s");

@@ -87,7 +87,7 @@ struct panel_row {
     int parameter;                        // index for comparison_parameter; -1 if there is none
     int part;                             // index of a component or a view; -1 for all components
     bool selected;                        // part of the selected parameter, or the current view
-    double place;    // position of the value in its range, 0 to 1; < 0 if nothing can be dragged
+    double fraction; // position of the value in its range, 0 to 1; < 0 if nothing can be dragged
     float swatch;    // distance of a colour's swatch from the row's left; 0 if there is none
     double share[3]; // the swatch's colour, as fractions of the parameter's range
     float left, top, width, height;

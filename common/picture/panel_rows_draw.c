@@ -15,9 +15,9 @@ static void draw_band(const struct panel_row *row, bool pointer, struct overlay 
     if (row->selected)
         overlay_box(overlay, row->left - 3.0f, row->top - 2.0f, row->width + 6.0f, row->height,
                     PEN_BAND);
-    if (pointer && row->place >= 0.0)
+    if (pointer && row->fraction >= 0.0)
         overlay_box(overlay, row->left - 3.0f, row->top - 1.5f,
-                    (float)row->place * (row->width + 6.0f), row->height - 1.0f, BAR);
+                    (float)row->fraction * (row->width + 6.0f), row->height - 1.0f, BAR);
 }
 
 // The typed text replaces the value; if it is too long, only its end is shown. A vertical bar marks

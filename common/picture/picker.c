@@ -116,7 +116,7 @@ void picker_take(struct picker *picker, const struct parameter *colour)
     if (!is_new)
         return;
     for (int k = 0; k < 3; k++)
-        number[k] = colour_encode(parameter_place(colour, k));
+        number[k] = colour_encode(parameter_fraction(colour, k));
     colour_hue_of(number, picker->hsv);
     memcpy(picker->value, colour->value, sizeof picker->value);
 }

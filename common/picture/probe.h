@@ -14,8 +14,8 @@ struct probe_step {
     float distance;    // the scene's distance at this position
     float position[3]; // scene units
     float threshold;   // a smaller distance would be a hit, scene units; 0 if unknown
-    float place[2];    // position in the picture, pixels from the picture's bottom left corner
-    bool seen;         // the step is in front of the camera, so that place is defined
+    float pixel[2];    // position in the picture, pixels from the picture's bottom left corner
+    bool seen;         // the step is in front of the camera, so that pixel is defined
 };
 
 enum probe_end { PROBE_NO_MARCH, PROBE_HIT, PROBE_PASSED, PROBE_GAVE_UP };

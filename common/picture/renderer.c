@@ -21,8 +21,8 @@ enum { TARGETS = 7 };
 static struct target *target_of(struct renderer *renderer, int number)
 {
     struct target *const targets[TARGETS] = {
-        &renderer->picture, &renderer->sharp,  &renderer->table, &renderer->single,
-        &renderer->coarse,  &renderer->places, &renderer->points};
+        &renderer->picture, &renderer->sharp,     &renderer->table, &renderer->single,
+        &renderer->coarse,  &renderer->projected, &renderer->points};
     return targets[number];
 }
 
@@ -349,6 +349,6 @@ bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inp
     const struct renderer_inputs from = renderer_from_eye(inputs);
     return (renderer->fragment.dialect != DIALECT_COURSE ||
             (renderer_march(renderer, &from, x, y, probe) &&
-             renderer_place_steps(renderer, inputs, x, y, probe))) &&
+             renderer_project_steps(renderer, inputs, x, y, probe))) &&
            colour_pixel(renderer, &from, x, y, probe->colour);
 }

@@ -126,7 +126,7 @@ struct renderer {
     struct target sharp;           // a window's picture that is drawn over several frames
     struct target table;           // a probe's table, one column per step; the slice view reads it
     struct target single;          // drawn in one pixel only: a probe's colour or the camera's room
-    struct target places;          // where the steps of a ray are in the picture
+    struct target projected;       // where the steps of a ray are in the picture
     struct target points;          // where the handles are in the picture
     struct target coarse;          // the result of the coarse pass, one texel per block
     struct enlarge enlarge;        // shows a small picture in a large window
@@ -244,8 +244,8 @@ void renderer_set_steps(const struct renderer *renderer, const struct march *mar
 // does not start at the camera, in the pixels whose rays pass through the steps.
 //   probe  the probe of pixel (x, y), whose steps are still in renderer->table
 // Returns false after reporting the error.
-bool renderer_place_steps(struct renderer *renderer, const struct renderer_inputs *inputs, int x,
-                          int y, struct probe *probe);
+bool renderer_project_steps(struct renderer *renderer, const struct renderer_inputs *inputs, int x,
+                            int y, struct probe *probe);
 
 // ---- One draw ----
 

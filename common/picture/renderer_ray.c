@@ -147,30 +147,30 @@ static bool find_steps(struct renderer *renderer, const struct renderer_inputs *
                        struct probe *probe)
 {
     const struct gl *gl = renderer->gl;
-    struct target *places = &renderer->places;
-    if (!renderer_link(renderer, SHADER_PLACES) || !target_bind(places, gl, PROBE_STEPS, 1))
+    struct target *projected = &renderer->projected;
+    if (!renderer_link(renderer, SHADER_PROJECTION) || !target_bind(projected, gl, PROBE_STEPS, 1))
         return false;
-    renderer_use(renderer, inputs, SHADER_PLACES);
+    renderer_use(renderer, inputs, SHADER_PROJECTION);
     gl->BindTexture(GL_TEXTURE_2D, renderer->table.texture);
     renderer_clear(gl);
-    renderer_fill(renderer, places, 0, 0, probe_rows(probe), 1);
+    renderer_fill(renderer, projected, 0, 0, probe_rows(probe), 1);
     float(*pixel)[4] = memory_zeros(PROBE_STEPS, sizeof *pixel);
-    target_read(places, gl, pixel[0]);
+    target_read(projected, gl, pixel[0]);
     for (int k = 0; k < probe_rows(probe); k++) {
-        memcpy(probe->step[k].place, pixel[k], sizeof probe->step[k].place);
+        memcpy(probe->step[k].pixel, pixel[k], sizeof probe->step[k].pixel);
         probe->step[k].seen = pixel[k][2] > 0.5f;
     }
     free(pixel);
     return true;
 }
 
-bool renderer_place_steps(struct renderer *renderer, const struct renderer_inputs *inputs, int x,
-                          int y, struct probe *probe)
+bool renderer_project_steps(struct renderer *renderer, const struct renderer_inputs *inputs, int x,
+                            int y, struct probe *probe)
 {
     probe->pinned = is_pinned(renderer, inputs);
     for (int k = 0; k < probe_rows(probe); k++) {
-        probe->step[k].place[0] = (float)x + 0.5f;
-        probe->step[k].place[1] = (float)y + 0.5f;
+        probe->step[k].pixel[0] = (float)x + 0.5f;
+        probe->step[k].pixel[1] = (float)y + 0.5f;
         probe->step[k].seen = true;
     }
     return !probe->pinned || probe_rows(probe) == 0 || find_steps(renderer, inputs, probe);

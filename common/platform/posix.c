@@ -31,13 +31,13 @@ bool platform_look(const char *path, struct platform_file *file)
         .regular = S_ISREG(status.st_mode),
         .size = (long long)status.st_size,
         .changed = 1000000000LL * MODIFIED(status).tv_sec + MODIFIED(status).tv_nsec,
-        .place = {(unsigned long long)status.st_dev, (unsigned long long)status.st_ino}};
+        .identity = {(unsigned long long)status.st_dev, (unsigned long long)status.st_ino}};
     return true;
 }
 
 bool platform_is_same(const struct platform_file *one, const struct platform_file *other)
 {
-    return one->place[0] == other->place[0] && one->place[1] == other->place[1];
+    return one->identity[0] == other->identity[0] && one->identity[1] == other->identity[1];
 }
 
 char *platform_resolve(const char *path)

@@ -136,14 +136,14 @@ bool platform_look(const char *path, struct platform_file *file)
         .regular = (is.dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY) == 0,
         .size = (long long)is.nFileSizeHigh << 32 | is.nFileSizeLow,
         .changed = 100 * (changed - SINCE_1601),
-        .place = {is.dwVolumeSerialNumber,
-                  (unsigned long long)is.nFileIndexHigh << 32 | is.nFileIndexLow}};
+        .identity = {is.dwVolumeSerialNumber,
+                     (unsigned long long)is.nFileIndexHigh << 32 | is.nFileIndexLow}};
     return true;
 }
 
 bool platform_is_same(const struct platform_file *one, const struct platform_file *other)
 {
-    return one->place[0] == other->place[0] && one->place[1] == other->place[1];
+    return one->identity[0] == other->identity[0] && one->identity[1] == other->identity[1];
 }
 
 // Remove the prefix of a long path: "\\?\C:\folder" becomes C:/folder, and "\\?\UNC\server\share"

@@ -5,7 +5,7 @@
 #include "platform.h"
 
 // Write words to standard error without the C library, which a crash may have damaged.
-void platform_say(const char *words);
+void platform_message(const char *words);
 
 // A console that was opened for this program closes when the program ends. In such a console, wait
 // until the user presses Enter, so that an error can be read.

@@ -36,7 +36,7 @@ int main(int argc, char **argv);
 static void *need(void *memory)
 {
     if (memory == NULL) {
-        platform_say("not enough memory: close other programs\n");
+        platform_message("not enough memory: close other programs\n");
         exit(1);
     }
     return memory;

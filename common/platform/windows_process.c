@@ -18,7 +18,7 @@ static struct {
 
 // ---- The console ----
 
-void platform_say(const char *words)
+void platform_message(const char *words)
 {
     DWORD written;
     WriteFile(GetStdHandle(STD_ERROR_HANDLE), words, (DWORD)strlen(words), &written, NULL);
@@ -37,7 +37,7 @@ void platform_wait_for_reader(void)
     if (GetConsoleProcessList(others, 2) != 1 || !is_console(STD_ERROR_HANDLE) ||
         !is_console(STD_INPUT_HANDLE))
         return;
-    platform_say("\nPress Enter to close this window.\n");
+    platform_message("\nPress Enter to close this window.\n");
     ReadFile(GetStdHandle(STD_INPUT_HANDLE), &key, 1, &read, NULL);
 }
 
@@ -107,7 +107,7 @@ static LONG WINAPI on_crash(EXCEPTION_POINTERS *what)
     const char *words = lost ? state.lost_page : state.words;
     if (words == NULL)
         return EXCEPTION_CONTINUE_SEARCH;
-    platform_say(words);
+    platform_message(words);
     platform_wait_for_reader();
     TerminateProcess(GetCurrentProcess(), 1);
     return EXCEPTION_EXECUTE_HANDLER;

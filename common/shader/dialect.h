@@ -20,7 +20,7 @@ enum shader_view {
     SHADER_PROBE = SHADER_VIEW_COUNT, // the steps of one ray, as numbers
     SHADER_COUNT,                     // evaluations of the scene for each pixel
     SHADER_COARSE,                    // where the rays of a block of pixels may start
-    SHADER_PLACES,                    // where points, such as a ray's steps, are in the picture
+    SHADER_PROJECTION,                // where points, such as a ray's steps, are in the picture
     SHADER_ROOM,                      // where a moving camera stops
     SHADER_PROGRAM_COUNT
 };

@@ -86,8 +86,8 @@ static int put_meaning(struct export *e, const struct input *input)
     }
     if (meaning == INPUT_POSITION) {
         const char *from = strstr(input->text, "harnessPosition");
-        const char *place = "(2.0 * toyPixel - iResolution.xy) / iResolution.y";
-        fprintf(e->text, "(%.*s(%s)%s)", (int)(from - input->text), input->text, place,
+        const char *screen = "(2.0 * toyPixel - iResolution.xy) / iResolution.y";
+        fprintf(e->text, "(%.*s(%s)%s)", (int)(from - input->text), input->text, screen,
                 from + strlen("harnessPosition"));
         return 2;
     }
@@ -112,7 +112,7 @@ static bool is_left_out(const char *file)
 {
     static const char *const names[] = {
         "shaders/main.glsl",  "shaders/views.glsl", "shaders/ramp.glsl",
-        "shaders/slice.glsl", "shaders/plot.glsl",  "shaders/places.glsl",
+        "shaders/slice.glsl", "shaders/plot.glsl",  "shaders/projection.glsl",
         "shaders/signs.glsl", "shaders/cover.glsl", "shaders/room.glsl"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(file, names[i]) == 0)

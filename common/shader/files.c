@@ -32,8 +32,8 @@ void files_folder(const char *path, char folder[PLATFORM_PATH])
 
 void files_tell(const struct shader_source *source, const char *path)
 {
-    if (source->request.see != NULL)
-        source->request.see(source->request.to, path);
+    if (source->request.visit != NULL)
+        source->request.visit(source->request.to, path);
 }
 
 // The part of a resolved path that differs only in case from the name that led to it, or NULL. Any

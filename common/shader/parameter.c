@@ -198,7 +198,7 @@ void parameter_change(struct parameter *parameter, int presses)
         parameter->value[i] = changed(parameter, parameter->value[i], presses);
 }
 
-double parameter_place(const struct parameter *parameter, int part)
+double parameter_fraction(const struct parameter *parameter, int part)
 {
     double low = parameter->minimum, high = parameter->maximum, value = parameter->value[part];
     if (parameter->multiplies)
@@ -206,10 +206,10 @@ double parameter_place(const struct parameter *parameter, int part)
     return high > low ? (value - low) / (high - low) : 0.0;
 }
 
-void parameter_put(struct parameter *parameter, int part, double place)
+void parameter_put(struct parameter *parameter, int part, double fraction)
 {
     double low = parameter->minimum, high = parameter->maximum;
-    double at = clamp(place, 0.0, 1.0);
+    double at = clamp(fraction, 0.0, 1.0);
     double value = parameter->multiplies ? low * pow(high / low, at) : low + (high - low) * at;
     double unit = pow(10.0, floor(log10(parameter->multiplies ? value : high - low)) -
                                 (parameter->multiplies ? 2.0 : 3.0));

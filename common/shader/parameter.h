@@ -129,12 +129,12 @@ void parameter_change(struct parameter *parameter, int presses);
 
 // The position of a component in its range, 0 to 1; on a logarithmic scale if the step multiplies.
 //   part  0 to components - 1
-double parameter_place(const struct parameter *parameter, int part);
+double parameter_fraction(const struct parameter *parameter, int part);
 
-// The inverse of parameter_place: set a component from a position, which is clamped to [0, 1]. The
-// value is rounded to about a thousandth of the range, or to three significant digits if the step
-// multiplies; an int is rounded to a whole number, and a bool to 0 or 1.
-void parameter_put(struct parameter *parameter, int part, double place);
+// The inverse of parameter_fraction: set a component from a position, which is clamped to [0, 1].
+// The value is rounded to about a thousandth of the range, or to three significant digits if the
+// step multiplies; an int is rounded to a whole number, and a bool to 0 or 1.
+void parameter_put(struct parameter *parameter, int part, double fraction);
 
 // True for a parameter with three components whose unit is "linear RGB".
 bool parameter_is_colour(const struct parameter *parameter);

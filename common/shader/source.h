@@ -27,8 +27,8 @@ struct shader_request {
     // Called with the resolved path of each file before it is read, so that a window watches
     // exactly the files that were read; for a missing file, called with each path that was tried.
     // May be NULL.
-    void (*see)(void *to, const char *path);
-    void *to;                    // passed to see
+    void (*visit)(void *to, const char *path);
+    void *to;                    // passed to visit
     const char *const *textures; // NAME=FILE: other pictures for samplers in the course's dialect
     int texture_count;
     // Four files for Shadertoy's iChannel0 to 3, each NULL if it is not given; NULL if none is

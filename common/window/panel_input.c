@@ -93,7 +93,7 @@ static void press(struct window *window, const struct window_event *event)
     window->grab.width = row->width;
     window_select(window, parameter);
     for (int k = 0; k < parameter->components; k++)
-        window->grab.fraction[k] = parameter_place(parameter, k);
+        window->grab.fraction[k] = parameter_fraction(parameter, k);
 }
 
 static void drag(struct window *window, const struct window_event *event)
@@ -156,7 +156,7 @@ static void click(struct window *window)
     else if (window->grab.what == GRAB_SWATCH)
         window_picker_open(window);
     else if (window->grab.what == GRAB_SWITCH)
-        parameter_put(parameter, 0, parameter_place(parameter, 0) < 0.5 ? 1.0 : 0.0);
+        parameter_put(parameter, 0, parameter_fraction(parameter, 0) < 0.5 ? 1.0 : 0.0);
     if (resets || window->grab.what == GRAB_SWITCH)
         window_parameter_changed(window);
 }

@@ -233,7 +233,7 @@ void window_show(struct window *window, const struct window_start *start, bool a
         watch_add(&window->watch, picture->path);
         for (int k = 0; k < picture->renderer.fragment.file_count; k++)
             watch_add(&window->watch, picture->renderer.fragment.paths[k]);
-        picture->request.see = add_file;
+        picture->request.visit = add_file;
         picture->request.to = &window->watch;
     }
 }

@@ -7,19 +7,20 @@
 
 static const double period = 2.0;
 
-static double right_place(double x)
+static double right_position(double x)
 {
     return x - period * floor(x / period + 0.5);
 }
 
 // The report's formula, section 2.2.3: mod(x - N/2, N) + N/2.
-static double report_place(double x)
+static double report_position(double x)
 {
     double y = x - 0.5 * period;
     return y - period * floor(y / period) + 0.5 * period;
 }
 
-static void plot_place(double left, const char *name, double (*place)(double), const char *colour)
+static void plot_position(double left, const char *name, double (*position)(double),
+                          const char *colour)
 {
     const struct svg_plot plot = {left, 60.0, 280.0, 150.0, {-4.0, 4.0}, {-2.0, 4.0}, false, false};
     svg_plot_frame(&plot, 2.0, 2.0, "<tspan font-style='italic'>x</tspan>", name);
@@ -29,8 +30,8 @@ static void plot_place(double left, const char *name, double (*place)(double), c
     svg_polygon(4, corner, (struct svg_pen){.fill = SVG_SKY, .opacity = 0.8});
     for (int cell = -5; cell < 5; cell++) {
         double start = cell * 1.0, line[2][2] = {{start, 0.0}, {start + 1.0, 0.0}};
-        line[0][1] = place(start + 1e-6);
-        line[1][1] = place(start + 1.0 - 1e-6);
+        line[0][1] = position(start + 1e-6);
+        line[1][1] = position(start + 1.0 - 1e-6);
         svg_plot_curve(&plot, 2, (const double(*)[2])line,
                        (struct svg_pen){.stroke = colour, .width = 2.4});
     }
@@ -45,8 +46,9 @@ int main(void)
         "from minus 1 to 1 in each cell and passes the band of half-width 0.6 in which a ball of "
         "radius 0.6 is drawn. The report's formula runs from 1 to 3 and never meets that band. "
         "Below, a row of balls, one per cell, with the walls of the cells as dashed lines.");
-    plot_place(70.0, "correct: x &#8722; N &#8970;x/N + &#189;&#8971;", right_place, SVG_BLUE);
-    plot_place(440.0, "report: mod(x &#8722; N/2, N) + N/2", report_place, SVG_ORANGE);
+    plot_position(70.0, "correct: x &#8722; N &#8970;x/N + &#189;&#8971;", right_position,
+                  SVG_BLUE);
+    plot_position(440.0, "report: mod(x &#8722; N/2, N) + N/2", report_position, SVG_ORANGE);
     const double unit = 72.0, middle = 380.0, row = 320.0;
     for (int cell = -3; cell <= 2; cell++) {
         double x = middle + unit * period * cell;

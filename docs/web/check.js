@@ -80,7 +80,7 @@ class Judge {
             difference.data[i + 3] = 255;
         }
         for (const start of at) module._free(start);
-        return {words, said: this.call('judge_words'), difference, share: this.call('judge_share'), place: this.call('judge_place')};
+        return {words, said: this.call('judge_words'), difference, share: this.call('judge_share'), place: this.call('judge_pixel')};
     }
 }
 

@@ -74,12 +74,12 @@ static double fade(double x)
     if (known[0] == 0.0)
         for (int i = 0; i < COUNT; i++)
             known[i] = paint_exp(-(double)i / EACH);
-    double place = EACH * (x > 0.0 ? x : 0.0);
-    if (place >= COUNT)
+    double position = EACH * (x > 0.0 ? x : 0.0);
+    if (position >= COUNT)
         return 0.0;
-    double rest = (place - (int)place) * (1.0 / EACH);
+    double rest = (position - (int)position) * (1.0 / EACH);
     double series = 1.0 - rest * (1.0 / 3.0) * (1.0 - rest * 0.25);
-    return known[(int)place] * (1.0 - rest * (1.0 - rest * 0.5 * series));
+    return known[(int)position] * (1.0 - rest * (1.0 - rest * 0.5 * series));
 }
 
 struct air_amount air_density(double height)
@@ -153,14 +153,14 @@ double air_share_through(int wave, struct air_amount amount, double ozone)
 void air_add_sunlight(double radius, double sine, struct air_amount way, double ozone,
                       double share[AIR_WAVES])
 {
-    static const double place[3] = {0.11270166537925831, 0.5, 0.88729833462074169};
+    static const double position[3] = {0.11270166537925831, 0.5, 0.88729833462074169};
     static const double weight[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
     double cosine = sqrt(1.0 - sine * sine), level = AIR_EARTH / radius;
     double dip = sqrt(1.0 - level * level), over = sine * level + cosine * dip; // above the horizon
     double lowest = -over / SUN_RADIUS, from = lowest > -1.0 ? lowest : -1.0;
     int strips = from >= 1.0 ? 0 : over > 4.0 * SUN_RADIUS ? 1 : 3;
     for (int i = 0; i < strips; i++) {
-        double x = strips == 1 ? 0.0 : from + (1.0 - from) * place[i];
+        double x = strips == 1 ? 0.0 : from + (1.0 - from) * position[i];
         double part = strips == 1 ? 1.0 : 0.75 * (1.0 - x * x) * (1.0 - from) * weight[i];
         double to = sine + x * SUN_RADIUS * cosine;
         struct air_amount all = amount_along(radius, to < 1.0 ? to : 1.0);

@@ -18,7 +18,8 @@ static void texel(double u, double v, double value[3])
 {
     int row = (int)((1.0 - v) * ELEPHANT_SIDE * ELEPHANT_SIDE), slice = row / ELEPHANT_SIDE;
     int x = (int)(u * ELEPHANT_SIDE), y = ELEPHANT_SIDE - 1 - row % ELEPHANT_SIDE;
-    const double p[3] = {elephant_place(x), elephant_place(y), elephant_place(slice)};
+    const double p[3] = {elephant_coordinate(x), elephant_coordinate(y),
+                         elephant_coordinate(slice)};
     unsigned char byte[2];
     elephant_encode(mesh_distance(&tree, p), byte);
     value[0] = byte[0] / 255.0;

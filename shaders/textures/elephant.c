@@ -103,7 +103,7 @@ struct triangles elephant_mesh(int steps)
     return triangles;
 }
 
-double elephant_place(int i)
+double elephant_coordinate(int i)
 {
     return 2.0 * i / (ELEPHANT_SIDE - 1) - 1.0;
 }

@@ -18,7 +18,7 @@ struct triangles elephant_mesh(int steps);
 // The coordinate of a point of the grid.
 //   i        in [0, ELEPHANT_SIDE)
 //   formula  2 i / (ELEPHANT_SIDE - 1) - 1
-double elephant_place(int i);
+double elephant_coordinate(int i);
 
 // The two bytes that store a distance: the high one and the low one.
 //   formula  the nearest whole number to 65535 (1 + distance / ELEPHANT_RANGE) / 2, with the

@@ -24,16 +24,16 @@ static struct {
     float height[SIDE][SIDE];
 } moon;
 
-struct place {
+struct point {
     double x, y, z; // on the ball of radius 1, x right, y up, z towards the eye
 };
 
-static struct place on_ball(double x, double y)
+static struct point on_ball(double x, double y)
 {
-    return (struct place){x, y, sqrt(fmax(1.0 - x * x - y * y, 0.0))};
+    return (struct point){x, y, sqrt(fmax(1.0 - x * x - y * y, 0.0))};
 }
 
-static double apart(struct place a, struct place b)
+static double apart(struct point a, struct point b)
 {
     double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
     return sqrt(x * x + y * y + z * z);
@@ -57,7 +57,7 @@ static double layer(double x, double y, int k, uint32_t seed)
 }
 
 // Octaves of value noise with k cells per radius, from -1 to 1, with a mean of about 0.
-static double rough(struct place p, double k, int octaves, double gain, uint32_t seed)
+static double rough(struct point p, double k, int octaves, double gain, uint32_t seed)
 {
     double sum = 0.0, total = 0.0, strength = 1.0;
     for (int i = 0; i < octaves; i++) {
@@ -92,10 +92,10 @@ static const double seas[][4] = {
 // How deep inside the seas a point lies, 0 to 1. Noise warps the shores, and there are islands near
 // them.
 //   dark  receives the mean darkness of the seas there
-static double sea_at(struct place p, double *dark)
+static double sea_at(struct point p, double *dark)
 {
     double inside = 0.0, sum = 0.0, weight = 1e-9;
-    struct place q = {p.x + 0.050 * rough(p, 4.0, 4, 0.6, 11) + 0.020 * rough(p, 17.0, 4, 0.7, 15),
+    struct point q = {p.x + 0.050 * rough(p, 4.0, 4, 0.6, 11) + 0.020 * rough(p, 17.0, 4, 0.7, 15),
                       p.y + 0.050 * rough(p, 4.0, 4, 0.6, 21) + 0.020 * rough(p, 17.0, 4, 0.7, 25),
                       p.z};
     double shore = 0.10 * rough(p, 5.5, 5, 0.65, 31), thin = 0.5 + 0.5 * rough(p, 3.5, 3, 0.6, 41);
@@ -114,7 +114,7 @@ static double sea_at(struct place p, double *dark)
 // ---- Craters ----
 
 struct crater {
-    struct place middle;
+    struct point middle;
     double radius; // in radii of the moon
     double fresh;  // 0 old and worn down, 1 young and bright
     double rays;   // length of its rays, in radii of the crater; 0 if it has none
@@ -140,12 +140,12 @@ static const struct {
 // How strong the rays of a crater are at a point, 0 to about 1. A ray is a streak that leaves the
 // crater in one direction, so it is noise that depends only on the direction, torn into patches.
 //   far  distance of the point from the crater's middle
-static double ray_at(const struct crater *crater, struct place p, double far)
+static double ray_at(const struct crater *crater, struct point p, double far)
 {
     double q = far / crater->radius;
     if (q > crater->rays || q < 0.9)
         return 0.0;
-    struct place way = {(p.x - crater->middle.x) / far, (p.y - crater->middle.y) / far,
+    struct point way = {(p.x - crater->middle.x) / far, (p.y - crater->middle.y) / far,
                         (p.z - crater->middle.z) / far};
     double streak = rough(way, 5.0, 3, 0.8, crater->name + 3);
     double fine = rough(way, 21.0, 2, 0.7, crater->name + 9);
@@ -182,7 +182,7 @@ static void dig(const struct crater *crater)
             double x = ((column + 0.5) / SIDE - 0.5) / RADIUS;
             double y = (0.5 - (row + 0.5) / SIDE) / RADIUS;
             double square = x * x + y * y, rim = square > 1.0 ? 1.0 / sqrt(square) : 1.0;
-            struct place p = on_ball(rim * x, rim * y);
+            struct point p = on_ball(rim * x, rim * y);
             double far = apart(p, crater->middle), q = far / crater->radius;
             if (q >= fmax(crater->rays, 2.2))
                 continue;
@@ -207,7 +207,7 @@ static void ground(void)
             double x = ((column + 0.5) / SIDE - 0.5) / RADIUS;
             double y = (0.5 - (row + 0.5) / SIDE) / RADIUS;
             double square = x * x + y * y, rim = square > 1.0 ? 1.0 / sqrt(square) : 1.0;
-            struct place p = on_ball(rim * x, rim * y);
+            struct point p = on_ball(rim * x, rim * y);
             double dark, sea = sea_at(p, &dark);
             double broad = rough(p, 3.0, 4, 0.6, 51), fine = rough(p, 22.0, 4, 0.65, 61);
             double flow = rough(p, 6.0, 5, 0.55, 71);

@@ -184,13 +184,13 @@ void paint_colour(uint32_t code, double value[3])
 
 void paint_scale(int count, const uint32_t *code, double x, double value[3])
 {
-    double place = fmin(fmax(x, 0.0), 1.0) * (count - 1);
-    int i = (int)fmin(floor(place), count - 2.0);
+    double position = fmin(fmax(x, 0.0), 1.0) * (count - 1);
+    int i = (int)fmin(floor(position), count - 2.0);
     double next[3];
     paint_colour(code[i], value);
     paint_colour(code[i + 1], next);
     for (int c = 0; c < 3; c++)
-        value[c] += (place - i) * (next[c] - value[c]);
+        value[c] += (position - i) * (next[c] - value[c]);
 }
 
 // ---- The picture ----

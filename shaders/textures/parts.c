@@ -232,8 +232,8 @@ const struct part_cell *part_grid_cell(const struct part_grid *grid, const doubl
 {
     int at[3];
     for (int i = 0; i < 3; i++) {
-        double place = floor((p[i] - grid->low[i]) / grid->size);
-        at[i] = (int)minimum(maximum(place, 0.0), grid->cells[i] - 1.0);
+        double index = floor((p[i] - grid->low[i]) / grid->size);
+        at[i] = (int)minimum(maximum(index, 0.0), grid->cells[i] - 1.0);
     }
     return &grid->cell[(at[2] * grid->cells[1] + at[1]) * grid->cells[0] + at[0]];
 }

@@ -17,9 +17,9 @@ static double rings_at(double x, double y, int board)
     double chance[4];
     for (int i = 0; i < 4; i++)
         chance[i] = paint_random(board, i, 14);
-    double place = chance[0] < 0.5 ? x : 1.0 - x; // grows towards the root
+    double along = chance[0] < 0.5 ? x : 1.0 - x; // grows towards the root
     double bend = paint_octaves(x, 0.25 * y, 3, 8, 2, seed) - 0.5;
-    double deep = 0.05 + 0.22 * chance[1] + (0.16 + 0.20 * chance[2]) * place + 0.10 * bend;
+    double deep = 0.05 + 0.22 * chance[1] + (0.16 + 0.20 * chance[2]) * along + 0.10 * bend;
     double from = y - 0.5 - 0.7 * (chance[3] - 0.5) + 0.06 * bend;
     double ripple = paint_noise(x, 0.25 * y, 14, 64, seed + 9) - 0.5;
     return 21.0 * sqrt(from * from + deep * deep) + 0.35 * ripple;

@@ -29,9 +29,9 @@ double sculpt_value(const unsigned char *grid, const double p[3])
     int low[3];
     double share[3], outside = 0.0, line[4];
     for (int i = 0; i < 3; i++) {
-        double q = fmin(fmax(p[i], -1.0), 1.0), place = (q + 1.0) / cell;
-        low[i] = (int)fmin(place, SIDE - 2.0);
-        share[i] = place - low[i];
+        double q = fmin(fmax(p[i], -1.0), 1.0), position = (q + 1.0) / cell;
+        low[i] = (int)fmin(position, SIDE - 2.0);
+        share[i] = position - low[i];
         outside += (p[i] - q) * (p[i] - q);
     }
     for (int k = 0; k < 4; k++) {
@@ -123,7 +123,8 @@ static void blend(struct box *box, const unsigned char *grid, const unsigned cha
     for (int z = box->low[2]; z < box->low[2] + box->size[2]; z++)
         for (int y = box->low[1]; y < box->low[1] + box->size[1]; y++)
             for (int x = box->low[0]; x < box->low[0] + box->size[0]; x++, i++) {
-                const double p[3] = {elephant_place(x), elephant_place(y), elephant_place(z)};
+                const double p[3] = {elephant_coordinate(x), elephant_coordinate(y),
+                                     elephant_coordinate(z)};
                 double now = value_at(grid, x, y, z);
                 double roll =
                     radius < 0.0 ? to_roll(p, from, to, -radius) : to_cut_roll(p, from, to, radius);

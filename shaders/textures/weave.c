@@ -12,14 +12,14 @@ static struct weave thread_at(double along, double across, bool warp)
     uint32_t seed = warp ? 1 : 2;
     // No thread is straight.
     double bend = paint_octaves(along, across, 9, WEAVE_THREADS / 4, 2, seed) - 0.5;
-    double place = across * WEAVE_THREADS + 0.8 * bend, middle = floor(place) + 0.5;
-    int thread = ((int)floor(place) + WEAVE_THREADS) % WEAVE_THREADS;
+    double position = across * WEAVE_THREADS + 0.8 * bend, middle = floor(position) + 0.5;
+    int thread = ((int)floor(position) + WEAVE_THREADS) % WEAVE_THREADS;
     // The thickness of a thread is not constant either: flax has thick spots.
     double thick =
         paint_octaves(along, (thread + 0.5) / WEAVE_THREADS, 10, WEAVE_THREADS, 2, seed + 10);
     double radius =
         0.38 + 0.12 * paint_random(thread, 0, seed + 20) + 0.30 * paint_step(0.5, 0.95, thick);
-    double from = (place - middle) / radius;
+    double from = (position - middle) / radius;
     // The thread lies on top at every second crossing, with a smooth transition down and up between
     // them.
     double crossing = along * WEAVE_THREADS - 0.5, way = crossing - floor(crossing);

@@ -154,7 +154,7 @@ edgy() {
 printf 'float bare(float x)\n{\n    return log(x);\n}\n// log(x)\nfloat even(float x)\n{\n    return exp(x);\n}\n' >"$scratch/edgy.glsl"
 check 'a logarithm is detected' [ "$(edgy "$scratch/edgy.glsl")" = bare ]
 # shellcheck disable=SC2046 # no name of a shader has a blank
-edgy $(find shaders -name '*.glsl' | grep -vE '/(coarse|figure|places|plot|signs|slice|views).glsl$' | sort) | while read -r name; do
+edgy $(find shaders -name '*.glsl' | grep -vE '/(coarse|figure|plot|projection|signs|slice|views).glsl$' | sort) | while read -r name; do
     grep -q "[^A-Za-z]$name(" tests/shaders/edges.frag || echo "$name"
 done >"$scratch/untried"
 check_empty 'every library function that calls one with undefined arguments is in tests/shaders/edges.frag' "$scratch/untried"

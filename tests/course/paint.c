@@ -51,7 +51,7 @@ TEST(random_numbers_have_the_right_mean)
 // ---- Patterns ----
 
 // A random coordinate in [0, 1) that a double represents exactly, as it does one period farther on.
-static double place(int i, uint32_t seed)
+static double coordinate(int i, uint32_t seed)
 {
     return (double)(paint_hash(i, 0, seed) >> 12) / 1048576.0;
 }
@@ -59,7 +59,7 @@ static double place(int i, uint32_t seed)
 TEST(patterns_have_the_period_1)
 {
     for (int i = 0; i < 2000; i++) {
-        double u = place(i, 1), v = place(i, 2);
+        double u = coordinate(i, 1), v = coordinate(i, 2);
         for (int k = 1; k < 4; k++) {
             double up = u + (k & 1), right = v - (k >> 1);
             assert_true(paint_noise(u, v, 7, 12, 3) == paint_noise(up, right, 7, 12, 3));

@@ -10,8 +10,8 @@
 enum { NODES = 6, VIEW_PIECES = 20, SUN_PIECES = 14 };
 
 // Gauss-Legendre quadrature with six points on [0, 1].
-static const double place[NODES] = {0.033765242898423986, 0.16939530676686774, 0.38069040695840155,
-                                    0.61930959304159845,  0.83060469323313226, 0.96623475710157601};
+static const double node[NODES] = {0.033765242898423986, 0.16939530676686774, 0.38069040695840155,
+                                   0.61930959304159845,  0.83060469323313226, 0.96623475710157601};
 static const double weight[NODES] = {0.085662246189585172, 0.18038078652406930,
                                      0.23395696728634552,  0.23395696728634552,
                                      0.18038078652406930,  0.085662246189585172};
@@ -47,7 +47,7 @@ static void add_between(struct column *sum, double lowest, double from, double t
         double begin = from + (to - from) * a * a * a,
                size = from + (to - from) * b * b * b - begin;
         for (int k = 0; k < NODES; k++) {
-            struct column here = density(height_of(lowest, begin + size * place[k]));
+            struct column here = density(height_of(lowest, begin + size * node[k]));
             for (int c = 0; c < 3; c++)
                 sum->of[c] += weight[k] * size * here.of[c];
         }
@@ -121,7 +121,7 @@ void air_light_of(double sun, double view, double azimuth, double ozone, double 
         double a = (double)i / VIEW_PIECES, b = (i + 1.0) / VIEW_PIECES;
         double begin = length * a * a, size = length * b * b - begin;
         for (int k = 0; k < NODES; k++) {
-            double way = begin + size * place[k], radius = earth + height_of(lowest, climb + way);
+            double way = begin + size * node[k], radius = earth + height_of(lowest, climb + way);
             struct column here = density(radius - earth);
             add_between(&past, lowest, climb + seen, climb + way, 1);
             seen = way;

@@ -29,15 +29,15 @@ static struct mirror_ray ray_of(const struct checkers_view *view, double x, doub
 
 // Find the position in the pattern that is seen at a position in the picture. Returns false if the
 // ray does not meet the plane.
-static bool place_of(const struct checkers_view *view, double x, double y, double place[2])
+static bool tile_of(const struct checkers_view *view, double x, double y, double tile[2])
 {
     struct mirror_ray ray = ray_of(view, x, y);
     if (ray.direction.y >= 0.0)
         return false;
     struct d3 p = mirror_at(ray, -ray.origin.y / ray.direction.y);
     double angle = view->turn * MIRROR_PI / 180.0;
-    place[0] = (cos(angle) * p.x + sin(angle) * p.z) / TILE;
-    place[1] = (cos(angle) * p.z - sin(angle) * p.x) / TILE;
+    tile[0] = (cos(angle) * p.x + sin(angle) * p.z) / TILE;
+    tile[1] = (cos(angle) * p.z - sin(angle) * p.x) / TILE;
     return true;
 }
 
@@ -47,20 +47,20 @@ bool checkers_rectangle(const struct checkers_view *view, int x, int y, double l
     low[0] = low[1] = HUGE_VAL;
     high[0] = high[1] = -HUGE_VAL;
     for (int i = 0; i < 4; i++) {
-        double place[2];
-        if (!place_of(view, x + i % 2, y + i / 2, place))
+        double tile[2];
+        if (!tile_of(view, x + i % 2, y + i / 2, tile))
             return false;
         for (int k = 0; k < 2; k++) {
-            low[k] = fmin(low[k], place[k]);
-            high[k] = fmax(high[k], place[k]);
+            low[k] = fmin(low[k], tile[k]);
+            high[k] = fmax(high[k], tile[k]);
         }
     }
     return true;
 }
 
-static bool even(const double place[2])
+static bool even(const double tile[2])
 {
-    return fmod(floor(place[0]) + floor(place[1]), 2.0) == 0.0;
+    return fmod(floor(tile[0]) + floor(tile[1]), 2.0) == 0.0;
 }
 
 // The share of positions in even cells, among `side` positions along one axis.
@@ -94,8 +94,8 @@ double checkers_of_samples(const double low[2], const double high[2])
     for (int i = 0; i < CHECKERS_SIDE; i++)
         for (int k = 0; k < CHECKERS_SIDE; k++) {
             double x = (i + reversed(k) + half) / n, y = (k + reversed(i) + half) / n;
-            double place[2] = {low[0] + (high[0] - low[0]) * x, low[1] + (high[1] - low[1]) * y};
-            count += even(place);
+            double tile[2] = {low[0] + (high[0] - low[0]) * x, low[1] + (high[1] - low[1]) * y};
+            count += even(tile);
         }
     return count / (n * n);
 }
@@ -106,9 +106,9 @@ double checkers_of_pixel(const struct checkers_view *view, int x, int y)
     int count = 0;
     for (int i = 0; i < CHECKERS_SIDE; i++)
         for (int k = 0; k < CHECKERS_SIDE; k++) {
-            double place[2];
-            if (place_of(view, x + (i + (k + 0.5) / n) / n, y + (k + (i + 0.5) / n) / n, place))
-                count += even(place);
+            double tile[2];
+            if (tile_of(view, x + (i + (k + 0.5) / n) / n, y + (k + (i + 0.5) / n) / n, tile))
+                count += even(tile);
         }
     return count / (n * n);
 }

@@ -60,8 +60,8 @@ static void block_difference(const struct image *a, const struct image *b, int l
 }
 
 // Store the centre of a block, in pixels as --probe counts them: 0,0 is at the bottom left.
-static void note_place(const struct image *image, int left, int top,
-                       struct image_difference *result)
+static void note_position(const struct image *image, int left, int top,
+                          struct image_difference *result)
 {
     int right = left + BLOCK < image->width ? left + BLOCK : image->width;
     int bottom = top + BLOCK < image->height ? top + BLOCK : image->height;
@@ -84,7 +84,7 @@ static void compare_blocks(const struct image *a, const struct image *b,
                 size = fmax(size, fabs(difference[c]));
             }
             if (size > most)
-                note_place(a, left, top, result);
+                note_position(a, left, top, result);
             most = fmax(most, size);
         }
     for (int c = 0; c < CHANNELS; c++)

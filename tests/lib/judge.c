@@ -13,7 +13,7 @@
 #define FAR 0.02
 
 static struct {
-    char text[1024], place[32];
+    char text[1024], pixel[32];
     struct image_difference difference;
 } judge;
 
@@ -39,7 +39,7 @@ const char *judge_picture(const char *with, int width, int height, const unsigne
     struct image picture = {0};
     char words[256];
     image_compare(&a, &b, difference);
-    snprintf(judge.place, sizeof judge.place, "%d,%d", difference->x, difference->y);
+    snprintf(judge.pixel, sizeof judge.pixel, "%d,%d", difference->x, difference->y);
     if (shown != NULL && image_difference_picture(&a, &b, &picture))
         memcpy(shown, picture.pixel, 3 * (size_t)width * (size_t)height);
     image_free(&picture);
@@ -57,9 +57,9 @@ double judge_share(void)
     return judge.difference.f2;
 }
 
-const char *judge_place(void)
+const char *judge_pixel(void)
 {
-    return judge.place;
+    return judge.pixel;
 }
 
 const char *judge_words(void)
@@ -114,7 +114,7 @@ static const char *refuse(const char *with, const char *why)
     return judge.text;
 }
 
-const char *judge_rays(const char *with, const char *places, const char *right, const char *mine)
+const char *judge_rays(const char *with, const char *pixels, const char *right, const char *mine)
 {
     struct march a, b;
     char first[512] = "", why[640];
@@ -129,13 +129,13 @@ const char *judge_rays(const char *with, const char *places, const char *right, 
         mine = read_march(mine, &b);
         if (mine == NULL || !b.recorded)
             return refuse(with, "no ray is recorded: include main.glsl, as the chapter does");
-        int length = (int)strcspn(places, " ");
+        int length = (int)strcspn(pixels, " ");
         if (!ends_alike(&b, &a) && count++ == 0)
             snprintf(first, sizeof first,
-                     "pixel %.*s: '%.*s' at t %g, the solution's '%.*s' at t %g", length, places,
+                     "pixel %.*s: '%.*s' at t %g, the solution's '%.*s' at t %g", length, pixels,
                      (int)b.outcome, b.end, b.t, (int)a.outcome, a.end, a.t);
-        places += length;
-        places += strspn(places, " ");
+        pixels += length;
+        pixels += strspn(pixels, " ");
         rays++;
     }
     static const char *const numbers[] = {"none", "one", "two",   "three", "four",

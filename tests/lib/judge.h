@@ -18,7 +18,7 @@ double judge_share(void);
 
 // Where the last judge_picture found the largest difference, for example "397,87", in pixels as
 // --probe counts them.
-const char *judge_place(void);
+const char *judge_pixel(void);
 
 // How far apart the last judge_picture found the two pictures, or that they are the same, in the
 // words of `make compare`.
@@ -26,11 +26,11 @@ const char *judge_words(void);
 
 // Compare the rays of some pixels.
 //   with         as for judge_picture
-//   places       pixels, "X,Y X,Y ..."
+//   pixels       pixels, "X,Y X,Y ..."
 //   right, mine  what --probe prints for these pixels, in the same order
 // Returns what is wrong with the answer's rays, or "" if they end like the solution's. One ray may
 // end elsewhere, because it may lie on an edge. If the solution records no rays, none are compared.
-const char *judge_rays(const char *with, const char *places, const char *right, const char *mine);
+const char *judge_rays(const char *with, const char *pixels, const char *right, const char *mine);
 
 // The march of a ray in words, "t 3.2, hit; steps: ...", made from the output of --probe.
 const char *judge_ray(const char *probe);

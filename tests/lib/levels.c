@@ -7,7 +7,7 @@
 #include "lib/compare.h"
 #include "lib/mirror.h"
 
-enum { SIDE = LEVELS_SIDE, PLACES = 32 };
+enum { SIDE = LEVELS_SIDE, POINTS = 32 };
 
 // The picture's light, bottom row first.
 static double light[SIDE][SIDE][3];
@@ -29,7 +29,7 @@ bool levels_open(void)
 float *levels_read(enum levels_reading reading, double x, double y, double factor, double sine)
 {
     struct renderer_inputs inputs = {
-        .width = PLACES, .height = PLACES, .time = reading, .samples = 1};
+        .width = POINTS, .height = POINTS, .time = reading, .samples = 1};
     double unit = reading == LEVELS_LEVEL ? 1.0 : 1.0 / SIDE;
     inputs.mouse[0] = (float)(x * unit);
     inputs.mouse[1] = (float)(y * unit);
@@ -63,14 +63,14 @@ double levels_error(double width, double height, double factor, double sine)
     enum levels_reading reading = sine < 1.0 ? LEVELS_FLOOR : LEVELS_SIDES;
     float *values = levels_read(reading, width, height, factor, sine);
     double sum = 0.0;
-    for (int k = 0; k < PLACES * PLACES; k++) {
-        int i = k % PLACES, j = k / PLACES; // the same points as in the shader
+    for (int k = 0; k < POINTS * POINTS; k++) {
+        int i = k % POINTS, j = k / POINTS; // the same points as in the shader
         double mean[3];
         mean_over((167 * i + 59 * j) % SIDE + 0.375, (101 * i + 211 * j) % SIDE + 0.375, width,
                   height, mean);
         for (int c = 0; c < 3; c++) {
             double off = (double)values[4 * k + c] - mean[c];
-            sum += off * off / (3.0 * PLACES * PLACES);
+            sum += off * off / (3.0 * POINTS * POINTS);
         }
     }
     free(values);

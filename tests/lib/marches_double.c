@@ -10,7 +10,7 @@
 static const double apart = 0.2;
 static const struct d3 cube = {0.8, 0.8, 0.8}, plate = {1.0, 0.002, 1.0};
 
-static struct d3 cube_place(struct d3 p)
+static struct d3 cube_point(struct d3 p)
 {
     return d3(0.8 * p.x + 0.6 * p.z, p.y, 0.8 * p.z - 0.6 * p.x);
 }
@@ -23,7 +23,7 @@ double march_stress_distance(int stress, struct d3 p)
     if (stress == 1)
         return p.y - GROUND;
     if (stress == 2)
-        return mirror_box_frame(cube_place(p), cube, BEAM);
+        return mirror_box_frame(cube_point(p), cube, BEAM);
     for (int i = -4; i <= 4; i++)
         nearest = fmin(nearest, mirror_box(d3(p.x, p.y - apart * i, p.z), plate));
     return nearest;
@@ -53,7 +53,7 @@ static double torus_fall(struct d3 p, struct d3 v, double reach)
 
 static double cube_fall(struct d3 p, struct d3 v)
 {
-    struct d3 q = cube_place(p), u = cube_place(v);
+    struct d3 q = cube_point(p), u = cube_point(v);
     double fall = -1.0, side = cube.x - BEAM;
     for (int axis = 0; axis < 3; axis++)
         for (int corner = 0; corner < 4; corner++) {
@@ -87,108 +87,109 @@ static double fall_along(int stress, struct d3 p, struct d3 v, double reach)
 
 enum { STEPS = 4096 };
 
-struct walk {
+struct state {
     int stress;
     struct mirror_ray ray;
     double far, threshold;
     int steps;
 };
 
-static double ask(struct walk *walk, double t)
+static double ask(struct state *state, double t)
 {
-    walk->steps++;
-    return march_stress_distance(walk->stress, mirror_at(walk->ray, t));
+    state->steps++;
+    return march_stress_distance(state->stress, mirror_at(state->ray, t));
 }
 
-static struct mirror_march ended(const struct walk *walk, bool found, double t)
+static struct mirror_march ended(const struct state *state, bool found, double t)
 {
     return (struct mirror_march){.t = t,
-                                 .steps = walk->steps,
-                                 .end = found            ? MIRROR_HIT
-                                        : t >= walk->far ? MIRROR_PASSED
-                                                         : MIRROR_GAVE_UP};
+                                 .steps = state->steps,
+                                 .end = found             ? MIRROR_HIT
+                                        : t >= state->far ? MIRROR_PASSED
+                                                          : MIRROR_GAVE_UP};
 }
 
 // The plain march, with a threshold that may grow along the ray.
-static struct mirror_march plain(struct walk *walk, double spread)
+static struct mirror_march plain(struct state *state, double spread)
 {
     double t = 0.0;
-    while (t < walk->far && walk->steps < STEPS) {
-        double d = ask(walk, t);
-        if (d < walk->threshold + spread * t)
-            return ended(walk, true, t);
+    while (t < state->far && state->steps < STEPS) {
+        double d = ask(state, t);
+        if (d < state->threshold + spread * t)
+            return ended(state, true, t);
         t += d;
     }
-    return ended(walk, false, t);
+    return ended(state, false, t);
 }
 
 // Marches that look ahead of the covered part of the ray. With slopes, the length of a step comes
 // from the last two distances that were used; otherwise, a step is omega times the distance, until
 // the first step back.
-static struct mirror_march ahead(struct walk *walk, bool slopes, double omega)
+static struct mirror_march ahead(struct state *state, bool slopes, double omega)
 {
     double covered = 0.0, t = 0.0, at = 0.0, before = 0.0;
-    while (covered < walk->far && walk->steps < STEPS) {
-        double d = ask(walk, t);
+    while (covered < state->far && state->steps < STEPS) {
+        double d = ask(state, t);
         if (t > covered && t - d > covered) {
             omega = slopes ? omega : 1.0;
             t = covered;
             continue;
         }
-        if (d < walk->threshold && t < walk->far)
-            return ended(walk, true, t);
+        if (d < state->threshold && t < state->far)
+            return ended(state, true, t);
         double slope = t > at ? fmin(fmax((before - d) / (t - at), -0.9), 1.0) : 1.0;
         double advance = slopes ? d + omega * d * (1.0 - slope) / (1.0 + slope) : omega * d;
         before = d;
         at = t;
         covered = t + d;
-        t = fmin(t + advance, walk->far);
+        t = fmin(t + advance, state->far);
     }
-    return ended(walk, false, covered);
+    return ended(state, false, covered);
 }
 
-static struct mirror_march segment(struct walk *walk)
+static struct mirror_march segment(struct state *state)
 {
-    double t = 0.0, reach = walk->far;
-    while (t < walk->far && walk->steps < STEPS) {
-        double d = ask(walk, t);
-        if (d < walk->threshold)
-            return ended(walk, true, t);
-        double fall = fall_along(walk->stress, mirror_at(walk->ray, t), walk->ray.direction, reach);
+    double t = 0.0, reach = state->far;
+    while (t < state->far && state->steps < STEPS) {
+        double d = ask(state, t);
+        if (d < state->threshold)
+            return ended(state, true, t);
+        double fall =
+            fall_along(state->stress, mirror_at(state->ray, t), state->ray.direction, reach);
         double advance = fmin(d / fmin(fmax(fall, 1e-6), 1.0), reach);
         t += advance;
-        reach = fmax(fmin(2.0 * advance, walk->far - t), 1e-6);
+        reach = fmax(fmin(2.0 * advance, state->far - t), 1e-6);
     }
-    return ended(walk, false, t);
+    return ended(state, false, t);
 }
 
-static struct mirror_march overstep(struct walk *walk, double omega)
+static struct mirror_march overstep(struct state *state, double omega)
 {
     double t = 0.0, outside = 0.0, inside = HUGE_VAL;
-    while (t < walk->far && walk->steps < STEPS) {
-        double d = ask(walk, t);
-        if (d < walk->threshold && (d >= 0.0 || t == 0.0))
-            return ended(walk, true, t);
+    while (t < state->far && state->steps < STEPS) {
+        double d = ask(state, t);
+        if (d < state->threshold && (d >= 0.0 || t == 0.0))
+            return ended(state, true, t);
         *(d < 0.0 ? &inside : &outside) = t;
         t = inside < HUGE_VAL ? 0.5 * (outside + inside) : t + omega * d;
     }
-    return ended(walk, false, t);
+    return ended(state, false, t);
 }
 
 struct mirror_march march_in_double(int stress, enum march_kind kind, struct mirror_ray ray,
                                     double far, double threshold, double spread)
 {
-    struct walk walk = {.stress = stress, .ray = ray, .far = far, .threshold = threshold};
+    struct state state = {.stress = stress, .ray = ray, .far = far, .threshold = threshold};
     switch (kind) {
     case MARCH_RELAXED:
-        return ahead(&walk, false, 1.2);
+        return ahead(&state, false, 1.2);
     case MARCH_ENHANCED:
-        return ahead(&walk, true, 0.9);
+        return ahead(&state, true, 0.9);
     case MARCH_SEGMENT:
-        return segment(&walk);
+        return segment(&state);
     case MARCH_OVERSTEP:
-        return overstep(&walk, 1.5);
+        return overstep(&state, 1.5);
     default:
-        return plain(&walk, kind == MARCH_CONE ? spread : 0.0);
+        return plain(&state, kind == MARCH_CONE ? spread : 0.0);
     }
 }

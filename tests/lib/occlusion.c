@@ -146,13 +146,13 @@ static void add_up(struct occlusion_error *error, double off, double weight)
 
 struct occlusion_error occlusion_error_of(enum occlusion_thing thing, double strength)
 {
-    enum { PLACES = 120 };
+    enum { POINTS = 120 };
     struct occlusion_error error = {0.0, 0.0, 0.0};
-    for (int i = 0; i < PLACES * PLACES; i++) {
-        double along = (i % PLACES + 0.5) / PLACES, grown = (i / PLACES + 0.5) / PLACES;
+    for (int i = 0; i < POINTS * POINTS; i++) {
+        double along = (i % POINTS + 0.5) / POINTS, grown = (i / POINTS + 0.5) / POINTS;
         struct occlusion_case scene = field_case(thing, along, grown);
         double off = occlusion_taps(&scene, 1.0, strength) - occlusion_truth(&scene);
-        add_up(&error, off, 1.0 / (PLACES * PLACES));
+        add_up(&error, off, 1.0 / (POINTS * POINTS));
     }
     return error;
 }

@@ -30,9 +30,9 @@ double shadow_share(shadow_blocked blocked, const void *data, struct d3 to_light
         double x = (2.0 * (i % n) + 1.0) / n - 1.0, y = (2.0 * (i / n) + 1.0) / n - 1.0;
         if (x * x + y * y > 1.0)
             continue;
-        struct d3 place = d3_add(d3_times(spread * x, right), d3_times(spread * y, up));
+        struct d3 offset = d3_add(d3_times(spread * x, right), d3_times(spread * y, up));
         all++;
-        seen += !blocked(d3_unit(d3_add(to_light, place)), data);
+        seen += !blocked(d3_unit(d3_add(to_light, offset)), data);
     }
     return (double)seen / (double)all;
 }
@@ -175,15 +175,15 @@ double shadow_quick(const struct shadow_case *scene, enum shadow_formula formula
 
 struct shadow_error shadow_error_of(enum shadow_obstacle obstacle, enum shadow_formula formula)
 {
-    enum { PLACES = 40, DISTANCES = 5 };
+    enum { OFFSETS = 40, DISTANCES = 5 };
     struct shadow_error error = {0.0, 0.0, 0.0};
-    for (int i = 0; i < PLACES * DISTANCES; i++) {
-        double clear = -2.0 + 4.0 * (i % PLACES + 0.5) / PLACES;
-        struct shadow_case scene = {obstacle, 0.5 * pow(8.0, (i / PLACES) / (DISTANCES - 1.0)),
+    for (int i = 0; i < OFFSETS * DISTANCES; i++) {
+        double clear = -2.0 + 4.0 * (i % OFFSETS + 0.5) / OFFSETS;
+        struct shadow_case scene = {obstacle, 0.5 * pow(8.0, (i / OFFSETS) / (DISTANCES - 1.0)),
                                     clear};
         double off = shadow_quick(&scene, formula) - shadow_truth(&scene);
-        error.mean += off / (PLACES * DISTANCES);
-        error.mean_size += fabs(off) / (PLACES * DISTANCES);
+        error.mean += off / (OFFSETS * DISTANCES);
+        error.mean_size += fabs(off) / (OFFSETS * DISTANCES);
         error.worst = fmax(error.worst, fabs(off));
     }
     return error;

@@ -13,7 +13,7 @@ static uint32_t stirred(uint32_t v)
 
 static int by_height(const void *a, const void *b)
 {
-    double x = ((const struct star *)a)->place.z, y = ((const struct star *)b)->place.z;
+    double x = ((const struct star *)a)->direction.z, y = ((const struct star *)b)->direction.z;
     return (x > y) - (x < y);
 }
 
@@ -53,13 +53,13 @@ double stars_light(struct d3 direction, double width)
     int low = 0, high = STAR_COUNT; // the first star with z > direction.z - radius
     while (low < high) {
         int middle = (low + high) / 2;
-        if (star[middle].place.z > direction.z - radius)
+        if (star[middle].direction.z > direction.z - radius)
             high = middle;
         else
             low = middle + 1;
     }
-    for (; low < STAR_COUNT && star[low].place.z < direction.z + radius; low++) {
-        struct d3 apart = d3_sub(star[low].place, direction);
+    for (; low < STAR_COUNT && star[low].direction.z < direction.z + radius; low++) {
+        struct d3 apart = d3_sub(star[low].direction, direction);
         double near = 1.0 - d3_dot(apart, apart) / (radius * radius);
         sum += near > 0.0 ? near * near * near * star[low].light : 0.0;
     }

@@ -8,9 +8,9 @@
 enum { STAR_RINGS = 64, STAR_COUNT = 8 * STAR_RINGS * STAR_RINGS };
 
 struct star {
-    struct d3 place; // length 1, in the stars' frame
-    double light;    // in the library's unit times steradians, for green
-    double share;    // the share of the stars that are at least as bright
+    struct d3 direction; // length 1, in the stars' frame
+    double light;        // in the library's unit times steradians, for green
+    double share;        // the share of the stars that are at least as bright
 };
 
 // All stars, sorted by z. Owned by the module.

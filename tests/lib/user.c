@@ -30,7 +30,7 @@ static GLFWmonitor *const monitor_list[] = {&monitors[0], &monitors[1]};
 
 void user_reset(void)
 {
-    user = (struct user){.size = {320, 200}, .density = 1, .place = {40, 30}};
+    user = (struct user){.size = {320, 200}, .density = 1, .position = {40, 30}};
 }
 
 // ---- What the user does ----
@@ -291,16 +291,16 @@ void glfwGetMonitorPos(GLFWmonitor *monitor, int *x, int *y)
 
 void glfwGetWindowPos(GLFWwindow *window, int *x, int *y)
 {
-    *x = user.place[0];
-    *y = user.place[1];
+    *x = user.position[0];
+    *y = user.position[1];
 }
 
 void glfwSetWindowMonitor(GLFWwindow *window, GLFWmonitor *monitor, int x, int y, int width,
                           int height, int rate)
 {
     user.full = monitor != NULL;
-    user.place[0] = x + (monitor != NULL ? monitor->left : 0);
-    user.place[1] = y;
+    user.position[0] = x + (monitor != NULL ? monitor->left : 0);
+    user.position[1] = y;
     user_resize(width, height);
 }
 

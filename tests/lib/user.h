@@ -21,7 +21,7 @@ struct user {
     double pointer[2];      // position of the pointer, in units from the window's top left
     int size[2];            // of the window, in units
     int density;            // pixels per unit: 1, or 2 as on a Mac's Retina display
-    int place[2];           // of the window on its monitor
+    int position[2];        // of the window on its monitor
     bool unfocused, hidden; // the window lacks the keyboard focus; it is iconified
     void (*wait)(void);     // called at each wait for events, if not NULL
     const char *clipboard;  // text of the clipboard

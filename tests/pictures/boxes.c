@@ -44,7 +44,7 @@ static struct window window = {.start = &start}; // which lists its keys
 
 // A panel, from its background on.
 struct back {
-    struct overlay_rectangle place;
+    struct overlay_rectangle box;
     int first; // of the rectangles in it
     bool note; // it lies over the panels: its background has a dark one below
 };
@@ -103,7 +103,7 @@ static void judge_letters(const char *where, bool typed)
         }
         if (letter->letter == 0)
             continue;
-        if (in < 0 || !inside(letter, &backs[in].place))
+        if (in < 0 || !inside(letter, &backs[in].box))
             fail_msg("%s: the letter %c is in no panel", where, (char)letter->letter);
         if (before != NULL && !typed && !parted(before, letter))
             fail_msg("%s: the letters %c and %c overlap", where, (char)before->letter,
@@ -118,10 +118,10 @@ static void judge(const char *where, bool typed)
                                               .bottom = pen_picture_height(&overlay)};
     find_backs();
     for (int i = 0; i < back_count; i++) {
-        if (!inside(&backs[i].place, &picture))
+        if (!inside(&backs[i].box, &picture))
             fail_msg("%s: panel %d is cut off", where, i);
         for (int k = 0; k < i; k++)
-            if (backs[k].note == backs[i].note && meet(&backs[i].place, &backs[k].place))
+            if (backs[k].note == backs[i].note && meet(&backs[i].box, &backs[k].box))
                 fail_msg("%s: panels %d and %d overlap", where, k, i);
     }
     judge_letters(where, typed);
@@ -144,7 +144,7 @@ static void judge_slice(const char *where, enum shader_view view, int passing)
         {.top = height - graph, .right = width, .bottom = height}};
     for (int i = 0; i < back_count; i++)
         for (int k = 0; k < 3; k++)
-            if (!backs[i].note && (k == 0 || i >= passing) && meet(&backs[i].place, &written[k]))
+            if (!backs[i].note && (k == 0 || i >= passing) && meet(&backs[i].box, &written[k]))
                 fail_msg("%s: panel %d covers the %s", where, i,
                          (const char *[]){"axis", "ray", "graph"}[k]);
 }
@@ -159,15 +159,15 @@ static void judge_note(const char *where, const struct panel_rows *rows, int fir
     }
     for (int i = first; i < behind; i++) {
         const struct panel_row *row = &rows->row[i];
-        const struct overlay_rectangle place = {.left = row->left,
-                                                .top = row->top - 1.0f,
-                                                .right = row->left + row->width,
-                                                .bottom = row->top + row->height - 3.0f};
-        if (meet(&note->place, &place))
+        const struct overlay_rectangle box = {.left = row->left,
+                                              .top = row->top - 1.0f,
+                                              .right = row->left + row->width,
+                                              .bottom = row->top + row->height - 3.0f};
+        if (meet(&note->box, &box))
             fail_msg("%s: a note covers its row %d", where, i);
     }
     for (int i = note->first; i < overlay.count; i++)
-        if (!inside(&overlay.rectangle[i], &note->place))
+        if (!inside(&overlay.rectangle[i], &note->box))
             fail_msg("%s: a note is larger than its background", where);
 }
 

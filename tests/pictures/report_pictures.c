@@ -7,11 +7,11 @@
 enum { WIDTH = 864, HEIGHT = 576, TITLE = 30 };
 
 // Two pixels of a printed figure, between which the object that covers the first one ends.
-struct place {
+struct pixel {
     int x, y;
 };
 struct border {
-    struct place in, out;
+    struct pixel in, out;
 };
 
 static float *draw(int scene, enum shader_view view)
@@ -22,9 +22,9 @@ static float *draw(int scene, enum shader_view view)
     return gpu_numbers(&inputs);
 }
 
-static const float *pixel_at(const float *pixels, struct place place)
+static const float *pixel_at(const float *pixels, struct pixel pixel)
 {
-    return pixels + 4 * ((HEIGHT - 1 - (place.y - TITLE)) * WIDTH + place.x);
+    return pixels + 4 * ((HEIGHT - 1 - (pixel.y - TITLE)) * WIDTH + pixel.x);
 }
 
 // In the view of depths a grey is a hit, and the blue of VIEW_NOTHING a miss.

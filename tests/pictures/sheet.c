@@ -35,7 +35,7 @@ static void load(int figure)
 }
 
 // The coordinate of a pixel's centre on the sheet: half of the picture shows height / 2 units.
-static double place(int pixel, int size, double height)
+static double coordinate(int pixel, int size, double height)
 {
     return (2.0 * pixel + 1.0 - size) / HEIGHT * height / 2.0;
 }
@@ -101,7 +101,8 @@ TEST(test_inside_is_darker_for_every_eye)
         double lightest = 0.0, darkest = 1.0;
         for (int y = 0; y < HEIGHT; y++)
             for (int x = 0; x < WIDTH; x++) {
-                double u = fabs(place(x, WIDTH, 2.4)) - 0.9, v = fabs(place(y, HEIGHT, 2.4)) - 0.55;
+                double u = fabs(coordinate(x, WIDTH, 2.4)) - 0.9,
+                       v = fabs(coordinate(y, HEIGHT, 2.4)) - 0.55;
                 double d = fmax(u, v), pixel = 2.4 / HEIGHT;
                 if (fabs(d) < 3.0 * pixel || d < -0.48)
                     continue;

@@ -8,7 +8,7 @@
 
 #define SHADER "tests/shaders/clouds.frag"
 
-enum { HIT, PLACE, DIRECTION, OVERCAST, WEATHER, MORE, OVER, LIGHT, MIDDLE, SUN, RAIN };
+enum { HIT, UV, DIRECTION, OVERCAST, WEATHER, MORE, OVER, LIGHT, MIDDLE, SUN, RAIN };
 enum { WIDE = 128, HIGH = 64 };
 
 static const double earth = 6371.0;
@@ -121,11 +121,11 @@ TEST(test_places_are_angles)
 {
     const float width[4] = {0.002f};
     float *directions = gpu_call(SHADER, WIDE, HIGH, DIRECTION, width);
-    float *places = gpu_call(SHADER, WIDE, HIGH, PLACE, width);
+    float *positions = gpu_call(SHADER, WIDE, HIGH, UV, width);
     double worst = 0.0, reach = 0.0;
     for (int i = 0; i < WIDE * HIGH; i++) {
         struct d3 d = d3_unit(d3_of(directions + 4 * i));
-        const float *v = places + 4 * i;
+        const float *v = positions + 4 * i;
         double level = hypot(d.x, d.z), height = atan2(d.y, level), w = (double)width[0];
         worst = fmax(worst, turn_apart((double)v[0], atan2(d.z, d.x) / (2.0 * MIRROR_PI)));
         worst = fmax(worst, fabs((double)v[1] - sqrt(2.0 * height / MIRROR_PI)));
@@ -139,7 +139,7 @@ TEST(test_places_are_angles)
         assert_true(v[0] >= -0.50001f && v[0] <= 0.50001f && v[1] >= 0.0f && v[1] <= 1.00001f);
     }
     free(directions);
-    free(places);
+    free(positions);
     print_message("# panorama: points off by %.2g, footprints by a share of %.2g\n", worst, reach);
     assert_true(worst < 2e-6 && reach < 2e-3);
 }

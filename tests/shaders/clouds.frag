@@ -33,7 +33,7 @@ void main()
         FragColor = vec4(climb, layerHit(iMouse.x, climb, iMouse.y), plain, 0.0);
     } else if (function == 1) { // a position in the panorama
         vec3 direction = directionOf(number);
-        FragColor = vec4(panoramaPlace(direction), panoramaFootprint(direction, iMouse.x));
+        FragColor = vec4(panoramaUV(direction), panoramaFootprint(direction, iMouse.x));
     } else if (function == 2) {
         FragColor = vec4(directionOf(number), 0.0);
     } else if (function == 3) { // an overcast sky; iMouse.xyz: its white

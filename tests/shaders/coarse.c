@@ -28,7 +28,7 @@ static double any(double low, double high)
     return coarse_float(low + (high - low) * (double)(chance >> 40) / (double)(1 << 24));
 }
 
-static struct d3 any_place(double reach)
+static struct d3 random_position(double reach)
 {
     return d3(any(-reach, reach), any(-reach, reach), any(-reach, reach));
 }
@@ -43,11 +43,11 @@ static struct coarse_scene any_scene(double orthographic)
                                  .factor = any(0.0, 1.0) < 0.5 ? 1.0 : any(0.4, 0.9),
                                  .wire_radius = any(0.002, 0.02)};
     for (int i = 0; i < COARSE_BALLS; i++) {
-        scene.ball[i] = any_place(2.5);
+        scene.ball[i] = random_position(2.5);
         scene.radius[i] = any(0.05, 0.8);
     }
-    scene.wire[0] = any_place(3.0);
-    scene.wire[1] = any_place(3.0);
+    scene.wire[0] = random_position(3.0);
+    scene.wire[1] = random_position(3.0);
     return scene;
 }
 

@@ -65,25 +65,25 @@ TEST(test_without_spread_it_is_march)
     }
 }
 
-struct walk {
+struct state {
     double t;
     int steps;
     bool found;
     double nearest_call; // how close the decision of a step was: |distance - threshold - spread t|
 };
 
-static struct walk walk_cone(int scene, struct mirror_ray ray, double threshold, double spread)
+static struct state march_in_cone(int scene, struct mirror_ray ray, double threshold, double spread)
 {
-    struct walk walk = {.nearest_call = HUGE_VAL};
-    while (walk.t < FAR && walk.steps < 200 && !walk.found) {
-        double distance = distance_of(scene, mirror_at(ray, walk.t));
-        double over = distance - threshold - spread * walk.t;
-        walk.steps++;
-        walk.nearest_call = fmin(walk.nearest_call, fabs(over));
-        walk.found = over < 0.0;
-        walk.t += walk.found ? 0.0 : distance;
+    struct state state = {.nearest_call = HUGE_VAL};
+    while (state.t < FAR && state.steps < 200 && !state.found) {
+        double distance = distance_of(scene, mirror_at(ray, state.t));
+        double over = distance - threshold - spread * state.t;
+        state.steps++;
+        state.nearest_call = fmin(state.nearest_call, fabs(over));
+        state.found = over < 0.0;
+        state.t += state.found ? 0.0 : distance;
     }
-    return walk;
+    return state;
 }
 
 static void check_cone(int scene, float threshold, float spread)
@@ -93,13 +93,13 @@ static void check_cone(int scene, float threshold, float spread)
     double worst = 0.0;
     for (int i = 0; i < ITEMS; i++) {
         struct ray_result r = result_of(values, i);
-        struct walk walk = walk_cone(scene, r.ray, (double)threshold, (double)spread);
-        if (walk.nearest_call < 1e-5 || fabs(walk.t - FAR) < 1e-4)
+        struct state state = march_in_cone(scene, r.ray, (double)threshold, (double)spread);
+        if (state.nearest_call < 1e-5 || fabs(state.t - FAR) < 1e-4)
             continue; // rounding decides
         decided++;
-        hits += walk.found;
-        assert_true(r.found == walk.found && r.steps == walk.steps);
-        worst = fmax(worst, fabs(r.t - walk.t));
+        hits += state.found;
+        assert_true(r.found == state.found && r.steps == state.steps);
+        worst = fmax(worst, fabs(r.t - state.t));
     }
     free(values);
     print_message("# scene %d, threshold %g, spread %g: %d rays decided, %d hits, t off by at most "

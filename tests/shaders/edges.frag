@@ -190,7 +190,7 @@ void main()
     edge(meanDecay(o), 1.0);
     edge(fogDepth(o, o, 3.0, 0.5, 1.0), 1.5);
     edge(skyFogDepth(o, 1.0, 0.5, 2.0), 1.0);
-    edge(fogPlace(o, o, 1.5, 0.5, 1.0), 3.0);
+    edge(inverseFogDepth(o, o, 1.5, 0.5, 1.0), 3.0);
     edge(lampInFog(-z, z, o, 0.05), 0.0);
     edge(lampInFog(-z, z, 2.0, 0.05), 2.0 * atan(20.0) / 0.05);
     edge(beamInFog(-z, z, z, vec2(0.1, 0.02), 2.0), ANY);
@@ -208,8 +208,8 @@ void main()
     edge(tableSunlight(-y), vec3(0.0));
     edge(hourStops(o - 1.0), ANY);
     edge(seenFromMiddle(vec3(o), y, 1.2), UP);
-    edge(panoramaPlace(y), vec2(0.0, 1.0));
-    edge(panoramaPlace(-y), vec2(0.0));
+    edge(panoramaUV(y), vec2(0.0, 1.0));
+    edge(panoramaUV(-y), vec2(0.0));
     edge(panoramaFootprint(y, 0.003 + o), ANY + vec2(0.0));
     edge(skyTurn(12.0 + o, 90.0) * y, vec3(0.0, 0.0, 1.0));
     edge(length(moonDirection(12.0, 45.0, 23.44 + o, o)), 1.0);
@@ -221,8 +221,8 @@ void main()
     edge(faintestSeen(4.5e-8 + o), 6.6);
     edge(airglow(o).y / airglow(1.0).y, 5.84);
     edge(nightStops(1.0 + o), 0.0);
-    edge(moonPlace(-z, 0.0045), vec2(0.0));
-    edge(moonPlace(z, 0.0045), vec2(1e3));
+    edge(moonPoint(-z, 0.0045), vec2(0.0));
+    edge(moonPoint(z, 0.0045), vec2(1e3));
     edge(length(moonFrame(x, 45.0)[0]), 1.0);
     edge(moonlight(1.0 + o).y * 1e5, 2.5);
     edge(moonlight(o - 1.0).y * 1e5, 0.0);

@@ -5,7 +5,7 @@
 
 #define SHADER "tests/shaders/fog.frag"
 
-enum { DECAY, DEPTH, SKY, PLACE, LIGHT, HORIZON, LAMP, BEAM };
+enum { DECAY, DEPTH, SKY, INVERSE, LIGHT, HORIZON, LAMP, BEAM };
 
 // The density along a ray, and its integral with Simpson's rule over this many slices.
 struct air {
@@ -120,7 +120,7 @@ TEST(a_place_has_the_depth_that_was_asked_for)
 {
     double worst = 0.0;
     for (int k = 0; k < AIRS - 1; k++) {
-        float *values = gpu_call(SHADER, 64, 32, PLACE, airs[k]);
+        float *values = gpu_call(SHADER, 64, 32, INVERSE, airs[k]);
         for (int i = 0; i < 64 * 32; i++) {
             const float *v = values + 4 * i;
             double whole = slices(air_of(airs[k]), (double)v[0], 6.0, 400);

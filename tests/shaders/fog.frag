@@ -28,7 +28,7 @@ void main()
         float side = number.x < 32.0 ? -1.0 : 1.0, size = exp2(-0.5 * mod(number.x, 32.0));
         float climb = number.x < 1.0 ? 0.0 : side * size, t = 6.0;
         float depth = fogDepth(iMouse.x, climb, t, iMouse.y, iMouse.z) * number.y / 31.0;
-        FragColor = vec4(climb, depth, fogPlace(iMouse.x, climb, depth, iMouse.y, iMouse.z), 0.0);
+        FragColor = vec4(climb, depth, inverseFogDepth(iMouse.x, climb, depth, iMouse.y, iMouse.z), 0.0);
     } else if (function == 4) { // iMouse: light, fog, density; uniform
         float t = 0.05 * number.x;
         vec3 light = throughFog(vec3(iMouse.x), vec3(iMouse.y), fogDepth(0.3, 0.0, t, iMouse.z, 2.0));

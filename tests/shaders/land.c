@@ -234,7 +234,7 @@ static double land_distance(struct d3 p)
 }
 
 // A point above the land, up to three units high.
-static struct d3 random_place(void)
+static struct d3 random_position(void)
 {
     double x = rand() % 4 ? random_in(-40.0, 40.0) : random_in(-4.0, 2.0);
     double z = rand() % 4 ? random_in(0.0, 80.0) : random_in(-2.0, 3.0);
@@ -247,7 +247,7 @@ TEST(the_largest_bound_is_1_lipschitz)
     double most = 0.0, slopes = 0.0;
     srand(21);
     for (int i = 0; i < PAIRS; i++) {
-        struct d3 p = random_place(), v = random_direction();
+        struct d3 p = random_position(), v = random_direction();
         struct d3 q = d3_add(p, d3_times(1e-3, v));
         most = fmax(most, fabs(land_distance(p) - land_distance(q)) / 1e-3);
         double level = hypot(v.x, v.z);
@@ -262,11 +262,11 @@ TEST(the_largest_bound_is_1_lipschitz)
 
 TEST(no_land_is_nearer_than_the_distance)
 {
-    enum { PLACES = 300, AROUND = 48, STEPS = 40 };
+    enum { POSITIONS = 300, AROUND = 48, STEPS = 40 };
     double nearest = 1e9;
     srand(22);
-    for (int i = 0; i < PLACES; i++) {
-        struct d3 p = random_place();
+    for (int i = 0; i < POSITIONS; i++) {
+        struct d3 p = random_position();
         double d = land_distance(p);
         for (int k = 0; d > 0.0 && k < AROUND * STEPS; k++) {
             double turn = 2.0 * MIRROR_PI * (k % AROUND) / AROUND,
@@ -277,8 +277,8 @@ TEST(no_land_is_nearer_than_the_distance)
         }
     }
     print_message(
-        "# %d balls of the distance: the land stays below each of them by at least %.2g\n", PLACES,
-        nearest);
+        "# %d balls of the distance: the land stays below each of them by at least %.2g\n",
+        POSITIONS, nearest);
     assert_true(nearest > -1e-9);
 }
 
@@ -368,8 +368,8 @@ TEST(the_sun_sets_behind_land_by_shares)
                  "vec4 h = landAt(q, 4.0);"
                  "vec3 n = normalize(vec3(-fromValley(h.yz), 1.0)).xzy, light = "
                  "sunDirection(18.0, LATITUDE, declination);"
-                 "Place place = Place(vec3(xz.x, h.x, xz.y), n, vec3(0.0), 0.0, true);"
-                 "return vec3(lightSeen(place, light, 0.02), h.x / HIGHEST, dot(n, light));");
+                 "Surface surface = Surface(vec3(xz.x, h.x, xz.y), n, vec3(0.0), 0.0, true);"
+                 "return vec3(lightSeen(surface, light, 0.02), h.x / HIGHEST, dot(n, light));");
     struct d3 light = sun_at(18.0);
     double off[2] = {0.0, 0.0}, hard = 0.0; // off[0]: outside the penumbra; off[1]: in it
     int count[2] = {0, 0}, wrong = 0;

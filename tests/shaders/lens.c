@@ -156,7 +156,7 @@ static double share_below(int kernel, double x)
     return x < 0.0 ? 0.5 * side * side : 1.0 - 0.5 * side * side;
 }
 
-static double place_of(int kernel, double share)
+static double offset_of(int kernel, double share)
 {
     double low = -4.0, high = 4.0;
     for (int i = 0; i < 60; i++) {
@@ -171,7 +171,7 @@ static double mean_square(int kernel, int count)
 {
     double sum = 0.0;
     for (int i = 0; i < count; i++)
-        sum += pow(place_of(kernel, (i + 0.5) / count), 2.0) / count;
+        sum += pow(offset_of(kernel, (i + 0.5) / count), 2.0) / count;
     return sum;
 }
 

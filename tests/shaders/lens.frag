@@ -25,12 +25,12 @@ void main()
     vec2 screen = screenPosition(pixel);
     FragColor = vec4(0.0);
     if (function == 0) { // iMouse: radius, focus, depth: position at that depth of the ray through a point of the lens
-        vec2 middle = vec2(0.3, -0.4), place = discPoint(number / 15.0);
+        vec2 middle = vec2(0.3, -0.4), point = discPoint(number / 15.0);
         vec3 direction = middle.x * iCameraRight + middle.y * iCameraUp + 2.0 * iCameraForward;
-        Ray ray = lensRay(Ray(iCameraPosition, normalize(direction)), place, iMouse.x, iMouse.y);
+        Ray ray = lensRay(Ray(iCameraPosition, normalize(direction)), point, iMouse.x, iMouse.y);
         vec3 p = ray.origin - iCameraPosition;
         vec3 q = p + ray.direction * (iMouse.z / dot(ray.direction, iCameraForward));
-        FragColor = vec4(dot(q, iCameraRight), dot(q, iCameraUp), place);
+        FragColor = vec4(dot(q, iCameraRight), dot(q, iCameraUp), point);
     } else if (function == 1) { // iMouse: radius, focus
         float depth = 0.5 + 0.1 * number.x;
         FragColor = vec4(depth, circleOfConfusion(depth, iMouse.x, iMouse.y, 2.0),

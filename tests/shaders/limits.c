@@ -3,16 +3,16 @@
 #include "lib/test.h"
 #include "lib/limits.h"
 
-static const double places[] = {1.0, 10.0, 100.0, 1000.0, 10000.0, 100000.0};
-enum { PLACES = sizeof places / sizeof *places };
+static const double scales[] = {1.0, 10.0, 100.0, 1000.0, 10000.0, 100000.0};
+enum { SCALES = sizeof scales / sizeof *scales };
 
 // The bound of the error holds, and a fifth of it would be too little.
 TEST(a_distance_errs_by_no_more_than_is_proved)
 {
     for (int sheet = 0; sheet < LIMITS_SHEETS; sheet++)
-        for (int i = 0; i < PLACES; i++) {
-            struct limits_sums sums = limits_of(sheet, places[i], 1.0);
-            print_message("# sheet %d at %g: error %.2g, %.2f of the bound\n", sheet, places[i],
+        for (int i = 0; i < SCALES; i++) {
+            struct limits_sums sums = limits_of(sheet, scales[i], 1.0);
+            print_message("# sheet %d at %g: error %.2g, %.2f of the bound\n", sheet, scales[i],
                           sums.absolute, sums.error);
             assert_true(sums.error <= 1.0 && sums.error > 0.2);
         }
@@ -21,8 +21,8 @@ TEST(a_distance_errs_by_no_more_than_is_proved)
 TEST(no_sheet_is_passed_with_the_proved_threshold)
 {
     for (int sheet = 0; sheet < LIMITS_SHEETS; sheet++)
-        for (int i = 0; i < PLACES; i++) {
-            struct limits_sums sums = limits_of(sheet, places[i], 1.0);
+        for (int i = 0; i < SCALES; i++) {
+            struct limits_sums sums = limits_of(sheet, scales[i], 1.0);
             assert_true(sums.rays > 1000);
             assert_int_equal(sums.passed, 0);
         }
@@ -32,9 +32,9 @@ TEST(no_sheet_is_passed_with_the_proved_threshold)
 TEST(sheets_are_passed_with_a_sixteenth)
 {
     for (int sheet = 0; sheet < LIMITS_SHEETS; sheet++)
-        for (int i = 2; i < PLACES; i++) {
-            struct limits_sums sums = limits_of(sheet, places[i], 1.0 / 16.0);
-            print_message("# sheet %d at %g: %d of %d passed\n", sheet, places[i], sums.passed,
+        for (int i = 2; i < SCALES; i++) {
+            struct limits_sums sums = limits_of(sheet, scales[i], 1.0 / 16.0);
+            print_message("# sheet %d at %g: %d of %d passed\n", sheet, scales[i], sums.passed,
                           sums.rays);
             assert_true(sums.passed > sums.rays / 4);
         }

@@ -79,7 +79,7 @@ TEST(test_a_star_keeps_its_light_while_the_sky_turns)
         star[i] = stars_all()[i];
     qsort(star, STAR_COUNT, sizeof *star, brighter);
     for (int k = 0; k < 4; k++) { // four bright stars, in a wide window, nearly flat at the star
-        struct d3 p = star[k].place;
+        struct d3 p = star[k].direction;
         double ends[2];
         float look[4] = {0.0028f, (float)p.z, (float)atan2(p.y, p.x)};
         light_of_frames(look, 0.000611, p, 0.03, star[k].light, ends);
@@ -91,20 +91,20 @@ TEST(test_a_star_keeps_its_light_while_the_sky_turns)
 TEST(test_a_patch_keeps_its_light_while_the_sky_turns)
 {
     const struct star *star = stars_all();
-    static const double places[3][2] = {{0.2, 1.0}, {-0.003, 4.0}, {0.9995, 2.0}}; // z, turn
+    static const double positions[3][2] = {{0.2, 1.0}, {-0.003, 4.0}, {0.9995, 2.0}}; // z, turn
     for (int k = 0; k < 3; k++) {
-        double flat = sqrt(1.0 - places[k][0] * places[k][0]), truth = 0.0;
-        struct d3 p = d3(flat * cos(places[k][1]), flat * sin(places[k][1]), places[k][0]);
+        double flat = sqrt(1.0 - positions[k][0] * positions[k][0]), truth = 0.0;
+        struct d3 p = d3(flat * cos(positions[k][1]), flat * sin(positions[k][1]), positions[k][0]);
         for (int i = 0; i < STAR_COUNT; i++) {
-            struct d3 apart = d3_sub(star[i].place, p);
+            struct d3 apart = d3_sub(star[i].direction, p);
             double inside = 1.0 - d3_dot(apart, apart) / (0.13 * 0.13);
             truth += inside > 0.0 ? inside * inside * star[i].light : 0.0;
         }
         double ends[2];
-        float look[4] = {0.0028f, (float)places[k][0], (float)places[k][1]};
+        float look[4] = {0.0028f, (float)positions[k][0], (float)positions[k][1]};
         light_of_frames(look, 0.0003, p, 0.13, truth, ends);
         print_message("# patch at z = %.4f: light seen over light sent %.4f to %.4f\n",
-                      places[k][0], ends[0], ends[1]);
+                      positions[k][0], ends[0], ends[1]);
         assert_true(ends[0] > 0.98 && ends[1] < 1.02 && ends[1] < 1.02 * ends[0]);
     }
 }
@@ -119,7 +119,7 @@ TEST(test_every_octant_has_its_eighth)
         struct d3 y = d3_unit(d3_cross(x, d3(0.3, 0.2, 0.9))), z = d3_cross(x, y);
         int count[8] = {0};
         for (int i = 0; i < STAR_COUNT; i++) {
-            struct d3 p = star[i].place;
+            struct d3 p = star[i].direction;
             count[(d3_dot(p, x) > 0.0) + 2 * (d3_dot(p, y) > 0.0) + 4 * (d3_dot(p, z) > 0.0)]++;
         }
         for (int i = 0; i < 8; i++)
@@ -218,8 +218,9 @@ TEST(test_colours_are_nearly_those_of_a_black_body)
 
 TEST(test_the_sky_turns_in_a_sidereal_day)
 {
-    double place = radians(43.6);
-    struct d3 meridian = d3(-sin(place), cos(place), 0.0), pole = d3(cos(place), sin(place), 0.0);
+    double latitude = radians(43.6);
+    struct d3 meridian = d3(-sin(latitude), cos(latitude), 0.0),
+              pole = d3(cos(latitude), sin(latitude), 0.0);
     struct d3 west = d3(0.0, 0.0, -1.0), d = d3(0.36, 0.48, 0.8);
     float *values = gpu_call(SHADER, 1024, 1, 3, (const float[4]){43.6f});
     for (int i = 0; i < 1024; i++) {
@@ -298,9 +299,9 @@ TEST(test_the_face_is_lit_on_the_side_of_the_sun)
         "uniform sampler2D moon; // \"moon.png\" linear clamp: the face\n"
         "vec3 rayColour(Ray ray) {\n"
         "    float a = 6.2831853 * iTime / 29.530589;\n"
-        "    vec2 place = ray.origin.xy;\n"
-        "    vec3 light = moonFace(moon, place, 0.002, vec3(sin(a), 0.0, -cos(a)), 0.0);\n"
-        "    return dot(place, place) < 1.0 ? vec3(1.0, light.g > 5.2e-4, 0.0) : vec3(0.0);\n"
+        "    vec2 point = ray.origin.xy;\n"
+        "    vec3 light = moonFace(moon, point, 0.002, vec3(sin(a), 0.0, -cos(a)), 0.0);\n"
+        "    return dot(point, point) < 1.0 ? vec3(1.0, light.g > 5.2e-4, 0.0) : vec3(0.0);\n"
         "}\n";
     for (int age = 4; age < 27; age += 3) {
         assert_true(gpu_load_text(text));

@@ -49,9 +49,9 @@ void main()
     } else { // iMouse.xyzw: hour, latitude, declination, age: 1024 x 1024 points of the disc, and which of them are lit
         vec3 moon = moonDirection(iMouse.x, iMouse.y, iMouse.z, iMouse.w);
         vec3 toSun = moonFrame(moon, iMouse.y) * sunDirection(iMouse.x, iMouse.y, iMouse.z);
-        vec2 place = gl_FragCoord.xy / 512.0 - 1.0;
-        float rest = 1.0 - dot(place, place);
-        bool lit = rest > 0.0 && dot(vec3(place, sqrt(max(rest, 0.0))), toSun) > 0.0;
+        vec2 point = gl_FragCoord.xy / 512.0 - 1.0;
+        float rest = 1.0 - dot(point, point);
+        bool lit = rest > 0.0 && dot(vec3(point, sqrt(max(rest, 0.0))), toSun) > 0.0;
         FragColor = vec4(rest > 0.0, lit, moonShare(toSun.z), toSun.z);
     }
 }

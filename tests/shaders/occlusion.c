@@ -284,14 +284,14 @@ TEST(a_white_furnace_stays_white)
 
 // A hollow ball of radius 1 around 0 with a hole above y = height.
 struct hollow {
-    struct d3 place;
+    struct d3 position;
     double height;
 };
 
 static bool hollow_blocks(struct d3 w, const void *data)
 {
     const struct hollow *hollow = data;
-    return hollow->place.y - 2.0 * d3_dot(hollow->place, w) * w.y < hollow->height;
+    return hollow->position.y - 2.0 * d3_dot(hollow->position, w) * w.y < hollow->height;
 }
 
 // Every point in it sees the same share of the sky: that of the hole in the ball's surface. So all
@@ -304,7 +304,7 @@ TEST(in_a_hollow_ball_all_places_are_alike)
         double y = -1.0 + 1.25 * i / 5.0, turn = 1.0 + i;
         double wide = sqrt(fmax(1.0 - y * y, 0.0));
         struct hollow hollow = {d3(wide * cos(turn), y, wide * sin(turn)), height};
-        struct d3 inwards = d3_times(-1.0, hollow.place);
+        struct d3 inwards = d3_times(-1.0, hollow.position);
         double share = occlusion_share(hollow_blocks, &hollow, inwards, GRID);
         assert_true(fabs(share - hole) < 3.0 * closed_form);
     }

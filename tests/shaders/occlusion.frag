@@ -53,8 +53,8 @@ void main()
         // Taps: at points of the floor, or of the ball.
         float turn = 0.1 * number;
         vec3 normal = scene == 1 ? vec3(cos(turn), 0.0, sin(turn)) : UP;
-        vec3 place = scene == 1 ? normal : vec3(0.02 + 0.05 * number, 0.0, 0.3 * number);
-        FragColor = vec4(place.x, openByTaps(place, normal, iMouse.x, iMouse.y), tapHeight(0, iMouse.x), tapHeight(4, iMouse.x));
+        vec3 tapped = scene == 1 ? normal : vec3(0.02 + 0.05 * number, 0.0, 0.3 * number);
+        FragColor = vec4(tapped.x, openByTaps(tapped, normal, iMouse.x, iMouse.y), tapHeight(0, iMouse.x), tapHeight(4, iMouse.x));
     } else if (function == 5) {
         FragColor = vec4(skyAndBounces(number / 255.0, iMouse.xyz, int(iMouse.w)), number / 255.0);
     } else if (function == 6) {

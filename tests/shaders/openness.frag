@@ -8,12 +8,12 @@
 uniform int formula; // 0 in [0, 4]: nothing hides, taps of strength 1/2, taps, near taps count more, 1 - steps / 32
 
 // As in the solution of exercise 1.
-float nearTaps(Place place)
+float nearTaps(Surface surface)
 {
     float hidden = 0.0, sum = 0.0, weight = 1.0;
     for (int k = 0; k < TAPS; k++) {
         float height = tapHeight(k, reach);
-        hidden += weight * clamp(1.0 - distanceAt(place.p + height * place.normal) / height, 0.0, 1.0);
+        hidden += weight * clamp(1.0 - distanceAt(surface.p + height * surface.normal) / height, 0.0, 1.0);
         sum += weight;
         weight *= 0.5;
     }
@@ -23,11 +23,11 @@ float nearTaps(Place place)
 vec3 rayColour(Ray ray)
 {
     lookingRound = false;
-    Place place = courtyardPlace(ray, hitThreshold, maxSteps);
+    Surface surface = courtyardSurface(ray, hitThreshold, maxSteps);
     float steps = min(float(trace.steps) / 32.0, 1.0);
     lookingRound = true;
-    float even = openByTaps(place.p, place.normal, reach, formula == 0 ? 0.0 : 0.5 * float(formula));
-    float taps = formula == 3 ? nearTaps(place) : even;
-    float quick = formula == 4 ? 1.0 - steps : openOverGround(place.normal) * taps;
-    return vec3(quick, place.open ? 0.0 : 1.0, openTruly(place, place.open ? 0 : 24));
+    float even = openByTaps(surface.p, surface.normal, reach, formula == 0 ? 0.0 : 0.5 * float(formula));
+    float taps = formula == 3 ? nearTaps(surface) : even;
+    float quick = formula == 4 ? 1.0 - steps : openOverGround(surface.normal) * taps;
+    return vec3(quick, surface.open ? 0.0 : 1.0, openTruly(surface, surface.open ? 0 : 24));
 }

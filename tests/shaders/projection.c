@@ -305,7 +305,7 @@ static double depth_of(const struct camera *camera, struct d3 p)
 }
 
 // The row and the column of the picture in which a point of the world is shown.
-static void place_of(const struct camera *camera, double u, struct d3 p, double at[2])
+static void pixel_of(const struct camera *camera, double u, struct d3 p, double at[2])
 {
     struct camera_basis basis = camera_basis_of(camera);
     struct d3 from = d3_sub(p, d3_of(camera->position));
@@ -327,7 +327,7 @@ static void check_frame_corner(const float *values, const struct camera *camera,
                                struct d3 middle)
 {
     double at[2];
-    place_of(camera, u, d3_add(middle, d3(0.55, 0.55, -0.55)), at);
+    pixel_of(camera, u, d3_add(middle, d3(0.55, 0.55, -0.55)), at);
     assert_true(is_orange(values, at, -2.0));
     assert_false(is_orange(values, at, 2.0));
 }

@@ -27,9 +27,9 @@ float signedClearance(Ray ray, float far)
 vec3 rayColour(Ray ray)
 {
     vec3 toSun = sunDirection();
-    Place place = placeAt(ray);
-    Ray there = sunRay(place, toSun);
-    float far = sunReach(place, there);
+    Surface surface = surfaceAt(ray);
+    Ray there = sunRay(surface, toSun);
+    float far = sunReach(surface, there);
     Clearance clearance = clearanceAlong(there, 0.0, far, hitThreshold, maxSteps);
     float inside = discBesideEdge(signedClearance(there, far) / spread);
     float arrived = lampReaching(there, far, spread, 32, hitThreshold, maxSteps, 0);

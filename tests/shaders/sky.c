@@ -284,11 +284,11 @@ static float *city(double time)
 TEST(test_city_is_never_farther_than_it_says)
 {
     assert_true(gpu_load("tests/shaders/city.frag"));
-    float *places = city(0.5), *distances = city(1.5);
+    float *positions = city(0.5), *distances = city(1.5);
     int asked = 0, inside = 0, capped = 0;
     double closest = 1.0;
     for (int i = 0; i < WIDE * HIGH; i += 3, asked++) {
-        struct d3 share = d3_sub(d3_times(2.0, d3_of(places + 4 * i)), d3(1.0, 1.0, 1.0));
+        struct d3 share = d3_sub(d3_times(2.0, d3_of(positions + 4 * i)), d3(1.0, 1.0, 1.0));
         struct d3 p = d3(24.0 * share.x, 8.0 + 8.0 * share.y, 24.0 * share.z);
         double f = 32.0 * ((double)distances[4 * i] - 0.5), truth = city_towers_brute(p, 4);
         double street = city_street(p);
@@ -300,7 +300,7 @@ TEST(test_city_is_never_farther_than_it_says)
         if (truth > 0.01 && street > truth)
             closest = fmin(closest, f / truth);
     }
-    free(places);
+    free(positions);
     free(distances);
     print_message("# city: %d points, %d in towers, %d where the cap or a corner matters; "
                   "least share %.3f\n",

@@ -50,9 +50,9 @@ static double inside_value(const double q[3], double gradient[3])
     double sum = 0.0, share[3];
     int low[3];
     for (int a = 0; a < 3; a++) {
-        double place = (q[a] + 1.0) / cell;
-        low[a] = (int)fmin(fmax(floor(place), 0.0), SIDE - 2.0);
-        share[a] = place - low[a];
+        double position = (q[a] + 1.0) / cell;
+        low[a] = (int)fmin(fmax(floor(position), 0.0), SIDE - 2.0);
+        share[a] = position - low[a];
         gradient[a] = 0.0;
     }
     for (int k = 0; k < 8; k++) {

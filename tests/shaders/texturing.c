@@ -117,7 +117,7 @@ TEST(test_a_bump_is_a_raised_surface)
 
 // ---- Heights ----
 
-enum { PLACES = 64, SIDE = 512 };
+enum { POINTS = 64, SIDE = 512 };
 
 // A picture's height at a texel, 0,0 bottom left, with wrap-around.
 static double height_of(const struct image_bytes *image, int x, int y)
@@ -131,11 +131,11 @@ static double height_of(const struct image_bytes *image, int x, int y)
 static void check_heights(const struct image_bytes *image, int axis, int reach)
 {
     const float numbers[4] = {(float)reach};
-    float *heights = gpu_call("tests/shaders/heights.frag", PLACES, PLACES, axis, numbers);
-    float *slopes = gpu_call("tests/shaders/heights.frag", PLACES, PLACES, axis + 3, numbers);
+    float *heights = gpu_call("tests/shaders/heights.frag", POINTS, POINTS, axis, numbers);
+    float *slopes = gpu_call("tests/shaders/heights.frag", POINTS, POINTS, axis + 3, numbers);
     double worst = 0.0, most = 0.0;
-    for (int i = 0; i < PLACES * PLACES; i++) {
-        int x = i % PLACES, y = i / PLACES, u = (167 * x + 59 * y) % SIDE,
+    for (int i = 0; i < POINTS * POINTS; i++) {
+        int x = i % POINTS, y = i / POINTS, u = (167 * x + 59 * y) % SIDE,
             v = (101 * x + 211 * y) % SIDE;
         double h = height_of(image, u, v), per = (double)SIDE / reach;
         double along_u = (height_of(image, u + reach, v) - h) * per;

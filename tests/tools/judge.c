@@ -1,6 +1,6 @@
 // judge - the words of judge.h for a shell.
 //
-//   judge picture WITH RIGHT.png MINE.png DIFFERENCE.png  place, share, what is wrong: a line each
+//   judge picture WITH RIGHT.png MINE.png DIFFERENCE.png  pixel, share, what is wrong: a line each
 //   judge rays WITH PLACES RIGHT MINE  what is wrong; the files are outputs of --probe
 //   judge ray PROBE                    a march in words, from such a file
 //   judge pixel X,Y PICTURE.png        a colour in words; 0,0 is at the bottom left
@@ -36,7 +36,7 @@ static int judge_files(const char *with, char **path)
         else if (image_create(&shown, right.width, right.height)) {
             const char *words = judge_picture(with, right.width, right.height, right.pixel,
                                               mine.pixel, shown.pixel);
-            printf("%s\n%.9f\n", judge_place(), judge_share());
+            printf("%s\n%.9f\n", judge_pixel(), judge_share());
             status = say(words);
             if (status == WRONG && !image_write_png(&shown, path[2]))
                 status = NOT_JUDGED;
@@ -64,16 +64,16 @@ static char *read_text(const char *path)
     return text;
 }
 
-static int judge_texts(const char *with, const char *places, const char *right, const char *mine)
+static int judge_texts(const char *with, const char *pixels, const char *right, const char *mine)
 {
     char *a = read_text(right), *b = read_text(mine);
-    int status = a != NULL && b != NULL ? say(judge_rays(with, places, a, b)) : NOT_JUDGED;
+    int status = a != NULL && b != NULL ? say(judge_rays(with, pixels, a, b)) : NOT_JUDGED;
     free(a);
     free(b);
     return status;
 }
 
-static int tell_ray(const char *path)
+static int print_ray(const char *path)
 {
     char *text = read_text(path);
     if (text != NULL)
@@ -82,14 +82,14 @@ static int tell_ray(const char *path)
     return text != NULL ? RIGHT : NOT_JUDGED;
 }
 
-static int tell_pixel(const char *place, const char *path)
+static int print_pixel(const char *pixel, const char *path)
 {
     struct image image = {0};
     int x = -1, y = -1, status = NOT_JUDGED;
     if (image_read_png(&image, path)) {
-        if (sscanf(place, "%d,%d", &x, &y) != 2 || x < 0 || y < 0 || x >= image.width ||
+        if (sscanf(pixel, "%d,%d", &x, &y) != 2 || x < 0 || y < 0 || x >= image.width ||
             y >= image.height)
-            report("%s: no pixel of a picture of %dx%d", place, image.width, image.height);
+            report("%s: no pixel of a picture of %dx%d", pixel, image.width, image.height);
         else {
             const unsigned char *p =
                 image.pixel +
@@ -110,9 +110,9 @@ int main(int argc, char **argv)
     if (argc == 6 && strcmp(what, "rays") == 0)
         return judge_texts(argv[2], argv[3], argv[4], argv[5]);
     if (argc == 3 && strcmp(what, "ray") == 0)
-        return tell_ray(argv[2]);
+        return print_ray(argv[2]);
     if (argc == 4 && strcmp(what, "pixel") == 0)
-        return tell_pixel(argv[2], argv[3]);
+        return print_pixel(argv[2], argv[3]);
     if (argc > 2 && strcmp(what, "right") == 0) {
         double most = 0.0;
         for (int i = 2; i < argc; i++)

@@ -24,7 +24,7 @@ static float *large(enum enlarge_filter filter)
 }
 
 // The position of a pixel in the small picture.
-static double place(int pixel, int side, int small)
+static double position(int pixel, int side, int small)
 {
     return (pixel + 0.5) * small / side - 0.5;
 }
@@ -55,7 +55,7 @@ TEST(values_are_brought_into_range)
     draw_small("c = vec4(p.x < 19.5 ? 50.0 : -50.0);", SMALL_WIDTH, SMALL_HEIGHT);
     float *numbers = large(ENLARGE_BILINEAR);
     for (int x = 0; x < WIDTH; x++) {
-        double expected = clamped(20.0 - place(x, WIDTH, SMALL_WIDTH), 0.0, 1.0);
+        double expected = clamped(20.0 - position(x, WIDTH, SMALL_WIDTH), 0.0, 1.0);
         assert_true(fabs((double)numbers[4 * (WIDTH * 30 + x)] - expected) < 1e-4);
     }
     free(numbers);
@@ -68,8 +68,8 @@ TEST(bilinear_is_linear_between_texels)
                SMALL_HEIGHT);
     float *numbers = large(ENLARGE_BILINEAR);
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        double x = clamped(place(i % WIDTH, WIDTH, SMALL_WIDTH), 0.0, SMALL_WIDTH - 1.0);
-        double y = clamped(place(i / WIDTH, HEIGHT, SMALL_HEIGHT), 0.0, SMALL_HEIGHT - 1.0);
+        double x = clamped(position(i % WIDTH, WIDTH, SMALL_WIDTH), 0.0, SMALL_WIDTH - 1.0);
+        double y = clamped(position(i / WIDTH, HEIGHT, SMALL_HEIGHT), 0.0, SMALL_HEIGHT - 1.0);
         assert_true(fabs((double)numbers[4 * i] - x / 51.0) < 1e-5);
         assert_true(fabs((double)numbers[4 * i + 1] - y / 51.0) < 1e-5);
         assert_true(fabs((double)numbers[4 * i + 2] - x * y / 1275.0) < 0.51 * byte);
@@ -112,8 +112,8 @@ TEST(the_edge_filter_follows_an_edge)
         for (int filter = 0; filter < ENLARGE_FILTERS; filter++) {
             float *numbers = large((enum enlarge_filter)filter);
             for (int i = 0; i < WIDTH * HEIGHT; i++) {
-                double x = place(i % WIDTH, WIDTH, SMALL_WIDTH);
-                double y = place(i / WIDTH, HEIGHT, SMALL_HEIGHT);
+                double x = position(i % WIDTH, WIDTH, SMALL_WIDTH);
+                double y = position(i / WIDTH, HEIGHT, SMALL_HEIGHT);
                 double truth = a * (x - 19.7) + b * (y - 11.2) >= 0.0 ? 1.0 : 0.0;
                 double value = (double)numbers[4 * i];
                 off[filter] += pow(clamped(value, 0.0, 1.0) - truth, 2.0);

@@ -39,8 +39,8 @@ static int tear_down(void **unused)
 static void gather(int width, int height, int x, int y, float shown)
 {
     for (int k = 0; k < STEPS && !probe.pinned; k++) {
-        probe.step[k].place[0] = (float)x + 0.5f;
-        probe.step[k].place[1] = (float)y + 0.5f;
+        probe.step[k].pixel[0] = (float)x + 0.5f;
+        probe.step[k].pixel[1] = (float)y + 0.5f;
     }
     struct panel panel = {.renderer = &renderer,
                           .title = "A title",
@@ -156,14 +156,14 @@ TEST_WITH(the_table_leaves_a_ray_free_that_is_seen_from_aside, set_up, NULL)
     for (int k = 0; k < 24 * 12; k++) {
         double angle = k % 24 * 3.14159265 / 12.0, from[2] = {60.0 + k / 24 * 45.0, 180.0};
         for (int i = 0; i < STEPS; i++) {
-            probe.step[i].place[0] = (float)(from[0] + 2.5 * i * cos(angle));
-            probe.step[i].place[1] = (float)(from[1] + 2.5 * i * sin(angle));
+            probe.step[i].pixel[0] = (float)(from[0] + 2.5 * i * cos(angle));
+            probe.step[i].pixel[1] = (float)(from[1] + 2.5 * i * sin(angle));
         }
         gather(640, 360, 10, 10, 5.0f);
         const struct overlay_rectangle *box = table();
         shown += box != NULL;
         for (int i = 0; i < STEPS && box != NULL; i++)
-            assert_false(covers(box, probe.step[i].place[0], 360.0f - probe.step[i].place[1]));
+            assert_false(covers(box, probe.step[i].pixel[0], 360.0f - probe.step[i].pixel[1]));
     }
     print_message("# the table is visible in %d of 288 cases\n", shown);
     assert_true(shown == 288);
@@ -192,8 +192,8 @@ TEST_WITH(a_dot_and_an_arrow_are_on_the_ray, set_up, NULL)
 {
     probe.pinned = true;
     for (int k = 0; k < STEPS; k++) {
-        probe.step[k].place[0] = 100.0f + 5.0f * (float)k;
-        probe.step[k].place[1] = 200.0f - 1.0f * (float)k;
+        probe.step[k].pixel[0] = 100.0f + 5.0f * (float)k;
+        probe.step[k].pixel[1] = 200.0f - 1.0f * (float)k;
     }
     for (int row = 0; row < STEPS; row += 7) {
         gather(640, 360, 10, 10, (float)(row + 1));

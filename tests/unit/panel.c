@@ -29,15 +29,15 @@ static int close_overlay(void **unused)
 
 // Are the letters of a text at a position of the list, all moved by the same distance?
 static bool stands_at(const struct overlay_rectangle *text, int count,
-                      const struct overlay_rectangle *place)
+                      const struct overlay_rectangle *expected)
 {
-    float right = place->left - text->left, down = place->top - text->top;
+    float right = expected->left - text->left, down = expected->top - text->top;
     for (int i = 0; i < count; i++)
-        if (place[i].letter != text[i].letter ||
-            fabsf(place[i].left - text[i].left - right) > 0.01f ||
-            fabsf(place[i].right - text[i].right - right) > 0.01f ||
-            fabsf(place[i].top - text[i].top - down) > 0.01f ||
-            fabsf(place[i].bottom - text[i].bottom - down) > 0.01f)
+        if (expected[i].letter != text[i].letter ||
+            fabsf(expected[i].left - text[i].left - right) > 0.01f ||
+            fabsf(expected[i].right - text[i].right - right) > 0.01f ||
+            fabsf(expected[i].top - text[i].top - down) > 0.01f ||
+            fabsf(expected[i].bottom - text[i].bottom - down) > 0.01f)
             return false;
     return true;
 }
@@ -270,11 +270,11 @@ TEST(a_place_is_a_value)
     struct parameter decades = {
         .components = 1, .minimum = 0.01, .maximum = 1.0, .step = 2.0, .multiplies = true};
     parameter_put(&linear, 0, 0.25);
-    assert_true(linear.value[0] == 0.0 && parameter_place(&linear, 0) == 0.25);
+    assert_true(linear.value[0] == 0.0 && parameter_fraction(&linear, 0) == 0.25);
     parameter_put(&linear, 0, 7.0);
     assert_true(linear.value[0] == 6.0);
     parameter_put(&decades, 0, 0.5);
-    assert_true(decades.value[0] == 0.1 && fabs(parameter_place(&decades, 0) - 0.5) < 1e-12);
+    assert_true(decades.value[0] == 0.1 && fabs(parameter_fraction(&decades, 0) - 0.5) < 1e-12);
     parameter_put(&decades, 0, -1.0);
     assert_true(decades.value[0] == 0.01);
 }

@@ -28,11 +28,11 @@ static float *draw(const struct renderer_inputs *inputs, int band)
 // ---- Where each pixel is ----
 
 // Shows 0.5 plus a quarter of the pixel's position, which is within [-2, 2] on both axes here.
-#define COURSE_PLACE                                                                               \
+#define COURSE_POSITION                                                                            \
     GPU_COURSE                                                                                     \
     "vec3 rayColour(Ray ray) { return 0.5 + 0.25 * ray.origin; }\n"
 
-#define WHOLE_PLACE                                                                                \
+#define WHOLE_POSITION                                                                             \
     "#version 330 core\n"                                                                          \
     "in vec2 FragCoord;\n"                                                                         \
     "out vec4 colour;\n"                                                                           \
@@ -40,7 +40,7 @@ static float *draw(const struct renderer_inputs *inputs, int band)
 
 // The largest distance, in pixels, between the position that a pixel of the target reports and its
 // real position.
-static double worst_place(const struct renderer_inputs *inputs, int band)
+static double worst_position(const struct renderer_inputs *inputs, int band)
 {
     float *values = draw(inputs, band);
     double worst = 0.0;
@@ -58,7 +58,7 @@ static double worst_place(const struct renderer_inputs *inputs, int band)
 
 // A float stores 0.5 + screen / 4 with an error of 2^-24, which is 4 * 2^-24 * height / 2 pixels.
 // An interpolated position has a few more rounding errors.
-static void check_place(const char *text, double most)
+static void check_positions(const char *text, double most)
 {
     assert_true(gpu_load_text(text));
     static const int sizes[][3] = {{1, 1, 1},       {2, 1, 1},      {640, 360, 360},
@@ -67,7 +67,7 @@ static void check_place(const char *text, double most)
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         for (int samples = 1; samples <= 3; samples++) {
             struct renderer_inputs inputs = gpu_inputs(sizes[i][0], sizes[i][1], samples);
-            double worst = worst_place(&inputs, sizes[i][2]);
+            double worst = worst_position(&inputs, sizes[i][2]);
             if (worst > most)
                 fail_msg("%dx%d in bands of %d, %d samples: a pixel is %g pixels from its position",
                          inputs.width, inputs.height, sizes[i][2], samples, worst);
@@ -76,18 +76,18 @@ static void check_place(const char *text, double most)
 
 TEST(pixels_are_at_their_places)
 {
-    check_place(COURSE_PLACE, 0.0005);
+    check_positions(COURSE_POSITION, 0.0005);
 }
 
 TEST(pixels_of_a_whole_file_are_at_their_places)
 {
-    check_place(WHOLE_PLACE, 0.0005);
+    check_positions(WHOLE_POSITION, 0.0005);
 }
 
 // Wider than one band of renderer_picture: row 0 of the image is the top.
 TEST(a_picture_of_several_bands_has_no_seam)
 {
-    assert_true(gpu_load_text(COURSE_PLACE));
+    assert_true(gpu_load_text(COURSE_POSITION));
     struct renderer_inputs inputs = gpu_inputs(10000, 450, 1);
     struct image image = {0};
     assert_true(renderer_picture(&gpu.renderer, &inputs, &image));
@@ -164,8 +164,8 @@ TEST(each_sample_is_clamped)
     assert_true(gpu_load_text(
         GPU_COURSE "vec3 rayColour(Ray ray)\n"
                    "{\n"
-                   "    float place = 0.5 * (iResolution.y * ray.origin.x + iResolution.x);\n"
-                   "    return fract(place) < 0.5 ? vec3(4.0, -3.0, 0.5) : vec3(0.0, 1.0, 0.5);\n"
+                   "    float across = 0.5 * (iResolution.y * ray.origin.x + iResolution.x);\n"
+                   "    return fract(across) < 0.5 ? vec3(4.0, -3.0, 0.5) : vec3(0.0, 1.0, 0.5);\n"
                    "}\n"));
     struct renderer_inputs inputs = gpu_inputs(64, 48, 2);
     float *values = draw(&inputs, inputs.height);

@@ -190,7 +190,7 @@ TEST(test_every_file_is_seen)
 {
     char seen[4096] = "";
     bool done;
-    const struct shader_request request = {.see = note, .to = seen};
+    const struct shader_request request = {.visit = note, .to = seen};
     read_asked("uniform sampler2D a; // \"stone.png\" sRGB repeat: x\n"
                "uniform sampler2D b; // \"gone.png\" sRGB repeat: x\n",
                &request, &done);

@@ -13,9 +13,9 @@ static const double cell = 2.0 / (SIDE - 1), BALL = 0.5;
 
 static void point_of(int i, double p[3])
 {
-    p[0] = elephant_place(i % SIDE);
-    p[1] = elephant_place(i / SIDE % SIDE);
-    p[2] = elephant_place(i / SIDE / SIDE);
+    p[0] = elephant_coordinate(i % SIDE);
+    p[1] = elephant_coordinate(i / SIDE % SIDE);
+    p[2] = elephant_coordinate(i / SIDE / SIDE);
 }
 
 static double length(const double p[3])

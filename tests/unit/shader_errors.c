@@ -184,10 +184,10 @@ static void assert_blamed(const char *library, const char *text, const char *whe
     if (!driver.has_context)
         skip();
     assert_int_equal(link_files(library, text, &said), 0);
-    const char *place = strstr(said, where);
+    const char *location = strstr(said, where);
     if (strncmp(said, scratch_path("root/main.frag"), strlen(scratch_path("root/main.frag"))) != 0)
         fail_msg("does not begin with the file: %s", said);
-    if (place == NULL || strstr(place, shown) == NULL)
+    if (location == NULL || strstr(location, shown) == NULL)
         fail_msg("'%s' or '%s' is missing in: %s", where, shown, said);
     assert_int_equal(driver.context.gl.GetError(), GL_NO_ERROR);
 }

@@ -208,7 +208,7 @@ IN_PROJECT(test_every_file_is_seen)
     scratch_write("root/shaders/broken.glsl", "#include \"leaf.glsl\"\n#include \"gone.glsl\"\n");
     const char *path = scratch_write("root/chapters/main.frag", "#include \"broken.glsl\"\n");
     capture_begin();
-    const struct shader_request request = {.see = note, .to = seen};
+    const struct shader_request request = {.visit = note, .to = seen};
     assert_false(shader_read_asked(&source, path, scratch_path("root"), &request));
     capture_end();
     static const char *const files[] = {"root/chapters/main.frag", "root/shaders/broken.glsl",

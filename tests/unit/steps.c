@@ -86,7 +86,7 @@ static const struct camera second = {.position = {3.6f, 1.9f, 2.2f}, .pan = -58.
 
 // The position of a point in the picture of a perspective or a parallel view, in double precision.
 //   half  half the height that a parallel view shows; 0 for perspective
-static bool project(const struct camera *camera, const float p[3], double half, double place[2])
+static bool project(const struct camera *camera, const float p[3], double half, double pixel[2])
 {
     struct camera_basis basis = camera_basis_of(camera);
     double along[3] = {0.0, 0.0, 0.0};
@@ -97,23 +97,23 @@ static bool project(const struct camera *camera, const float p[3], double half, 
         along[2] += way * (double)basis.forward[i];
     }
     double scale = half > 0.0 ? 1.0 / half : MIRROR_FOCAL_LENGTH / along[2];
-    place[0] = 0.5 * WIDTH + 0.5 * HEIGHT * scale * along[0];
-    place[1] = 0.5 * HEIGHT + 0.5 * HEIGHT * scale * along[1];
+    pixel[0] = 0.5 * WIDTH + 0.5 * HEIGHT * scale * along[0];
+    pixel[1] = 0.5 * HEIGHT + 0.5 * HEIGHT * scale * along[1];
     return along[2] > 0.01;
 }
 
-static int check_places(const struct probe *probe, const struct camera *camera, double half)
+static int check_pixels(const struct probe *probe, const struct camera *camera, double half)
 {
     int seen = 0;
     for (int k = 0; k < probe_rows(probe); k++) {
         const struct probe_step *step = &probe->step[k];
-        double place[2];
-        bool before = project(camera, step->position, half, place);
-        if (!before || fabs(place[0]) > 4000.0 || fabs(place[1]) > 4000.0)
+        double pixel[2];
+        bool before = project(camera, step->position, half, pixel);
+        if (!before || fabs(pixel[0]) > 4000.0 || fabs(pixel[1]) > 4000.0)
             continue;
         assert_true(step->seen);
         for (int i = 0; i < 2; i++)
-            assert_true(fabs((double)step->place[i] - place[i]) < 0.02 + 1e-4 * fabs(place[i]));
+            assert_true(fabs((double)step->pixel[i] - pixel[i]) < 0.02 + 1e-4 * fabs(pixel[i]));
         seen++;
     }
     return seen;
@@ -136,11 +136,11 @@ TEST(the_places_are_those_of_the_other_camera)
     for (int k = 0; k < probe->steps; k++) { // the same ray, to the last bit
         assert_memory_equal(&probe->step[k].t, &from->step[k].t, sizeof(float));
         assert_memory_equal(probe->step[k].position, from->step[k].position, 3 * sizeof(float));
-        assert_true(from->step[k].seen && from->step[k].place[0] == 340.5f &&
-                    from->step[k].place[1] == 140.5f);
+        assert_true(from->step[k].seen && from->step[k].pixel[0] == 340.5f &&
+                    from->step[k].pixel[1] == 140.5f);
     }
     assert_memory_equal(probe->colour, from->colour, 3);
-    int seen = check_places(probe, &second, 0.0);
+    int seen = check_pixels(probe, &second, 0.0);
     print_message("# %d of %d steps have a position\n", seen, probe->steps);
     assert_true(seen >= 8);
     free(probe);
@@ -149,12 +149,12 @@ TEST(the_places_are_those_of_the_other_camera)
     probe = probe_of(&inputs);
     int behind = 0;
     for (int k = 0; k < probe->steps; k++) {
-        double place[2];
-        bool before = project(&inputs.camera, probe->step[k].position, 0.0, place);
+        double pixel[2];
+        bool before = project(&inputs.camera, probe->step[k].position, 0.0, pixel);
         assert_true(before || !probe->step[k].seen);
         behind += !before;
     }
-    seen = check_places(probe, &inputs.camera, 0.0);
+    seen = check_pixels(probe, &inputs.camera, 0.0);
     print_message("# %d steps behind a third camera, %d in front\n", behind, seen);
     assert_true(behind >= 2 && seen >= 5);
     free(from);
@@ -203,8 +203,8 @@ TEST(any_view_has_places)
         double x = 0.5 * (WIDTH + HEIGHT * angle / 0.9 * way[0] / across);
         double y = 0.5 * (HEIGHT + HEIGHT * angle / 0.9 * way[1] / across);
         if (angle < 1.4) {
-            assert_true(step->seen && fabs((double)step->place[0] - x) < 0.05 &&
-                        fabs((double)step->place[1] - y) < 0.05);
+            assert_true(step->seen && fabs((double)step->pixel[0] - x) < 0.05 &&
+                        fabs((double)step->pixel[1] - y) < 0.05);
             seen++;
         }
     }

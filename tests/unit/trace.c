@@ -61,11 +61,11 @@ static void check_probe(const char *text, int steps, enum probe_end end)
     assert_true(probe->interval[0] == 0.0f && probe->interval[1] == 10.0f);
     double left = 2.0, t = 0.0;
     for (int i = 0; i < steps; i++) {
-        const double place[3] = {1.01 + 0.6 * t, -0.59, left};
+        const double expected[3] = {1.01 + 0.6 * t, -0.59, left};
         assert_true(fabs((double)probe->step[i].t - t) < 1e-6);
         assert_true(fabs((double)probe->step[i].distance - left) < 1e-6);
         for (int k = 0; k < 3; k++)
-            assert_true(fabs((double)probe->step[i].position[k] - place[k]) < 1e-6);
+            assert_true(fabs((double)probe->step[i].position[k] - expected[k]) < 1e-6);
         t += left;
         left *= 0.2;
     }

@@ -213,7 +213,7 @@ SESSION_TEST(tab_leads_to_the_other_projection)
 SESSION_TEST(f11_fills_the_monitor_below_the_window)
 {
     session_open_bare(CHAPTER, SESSION_STILL);
-    user.place[0] = 700;
+    user.position[0] = 700;
     session_key(GLFW_KEY_F11);
     session_turn();
     assert_true(user.full && user.size[0] == 800 && user.size[1] == 600);
@@ -221,7 +221,7 @@ SESSION_TEST(f11_fills_the_monitor_below_the_window)
     session_key(GLFW_KEY_F11);
     session_turn();
     assert_false(user.full);
-    assert_true(user.place[0] == 700 && user.place[1] == 30);
+    assert_true(user.position[0] == 700 && user.position[1] == 30);
     session_assert_shown(CHAPTER, SESSION_STILL);
 }
 

@@ -1,4 +1,4 @@
-// places.glsl - the position in the picture of a point in space, for any pixelRay of a chapter.
+// projection.glsl - the position in the picture of a point in space, for any pixelRay of a chapter.
 #include "inputs.glsl"
 #include "scene.glsl"
 
@@ -12,14 +12,14 @@ uniform int iHandlePoints;                  // how many points to find; 0 to fin
 uniform vec3 iHandlePoint[HANDLE_POINTS];   // scene units
 
 // The point whose position column k contains.
-vec3 placeWanted(int k)
+vec3 projectedPoint(int k)
 {
     return iHandlePoints > 0 ? iHandlePoint[min(k, HANDLE_POINTS - 1)] : texelFetch(iMarch, ivec2(k, 1), 0).xyz;
 }
 
 // The offset from a pixel's ray to a point, perpendicular to the ray, scene units.
 //   along  where the ray passes the point, scene units along it
-vec3 placeMissed(vec3 p, vec2 pixel, float along)
+vec3 projectionOffset(vec3 p, vec2 pixel, float along)
 {
     Ray ray = pixelRay(screenPosition(pixel));
     return p - ray.origin - along * ray.direction;
@@ -31,7 +31,7 @@ vec3 placeMissed(vec3 p, vec2 pixel, float along)
 //            the changes of the ray at the point's distance for one pixel to the right and one up, all perpendicular
 //            to the ray; a step minimises |q - x a - y b|. A parallel view converges at once; in other views a step is
 //            as long as the sine of the remaining angle and never overshoots
-vec4 placeOf(vec3 p)
+vec4 projectedPixel(vec3 p)
 {
     vec2 pixel = 0.5 * iResolution.xy;
     float missed = 1e9, t = 0.0;
@@ -39,9 +39,9 @@ vec4 placeOf(vec3 p)
         Ray ray = pixelRay(screenPosition(pixel));
         t = dot(p - ray.origin, ray.direction);
         float far = length(p - ray.origin);
-        vec3 q = placeMissed(p, pixel, t), there = placeMissed(p, pixel, far);
-        vec3 a = there - placeMissed(p, pixel + vec2(1.0, 0.0), far);
-        vec3 b = there - placeMissed(p, pixel + vec2(0.0, 1.0), far);
+        vec3 q = projectionOffset(p, pixel, t), there = projectionOffset(p, pixel, far);
+        vec3 a = there - projectionOffset(p, pixel + vec2(1.0, 0.0), far);
+        vec3 b = there - projectionOffset(p, pixel + vec2(0.0, 1.0), far);
         a -= dot(a, ray.direction) * ray.direction;
         b -= dot(b, ray.direction) * ray.direction;
         float aa = dot(a, a), ab = dot(a, b), bb = dot(b, b), determinant = aa * bb - ab * ab;
