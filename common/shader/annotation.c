@@ -52,7 +52,7 @@ bool annotation_copy(struct annotation *a, const char *part, char *to, size_t si
     while (end > from && strchr(BLANKS, end[-1]) != NULL)
         end--;
     if (end <= from)
-        return annotation_refuse(a, "no %s: write it as in \"%s\"", part, a->example);
+        return annotation_refuse(a, "the %s is missing: write it as in \"%s\"", part, a->example);
     if ((size_t)(end - from) >= size)
         return annotation_refuse(a, "the %s is too long: %d bytes at most", part, (int)size - 1);
     memcpy(to, from, (size_t)(end - from));
@@ -63,7 +63,7 @@ bool annotation_copy(struct annotation *a, const char *part, char *to, size_t si
 
 bool annotation_declaration(struct annotation *a)
 {
-    const struct glsl_token *word[4] = {0}; // type, name, semicolon, and one more than allowed
+    const struct glsl_token *word[4] = {0}; // type, name, semicolon, and one token too many
     const struct glsl_token *uniform = a->uniform, *t = uniform + 1;
     int count = 0;
     for (; t != a->comment && t->kind != GLSL_END && t->line == uniform->line && count < 4; t++) {
@@ -81,7 +81,7 @@ bool annotation_declaration(struct annotation *a)
         return !a->quiet &&
                shader_refuse(a->source, a->line,
                              "not a %s's declaration: write it as in \"%s\", with a name of at "
-                             "most %d letters",
+                             "most %d characters",
                              a->what, a->example, ANNOTATION_NAME - 1);
     a->type = word[0];
     snprintf(a->name, sizeof a->name, "%s", word[1]->text);
@@ -98,7 +98,7 @@ static char *words_of(const struct glsl *code, const struct glsl_token *comment)
     static const char *const spaces[] = {"\xC2\xA0", "\xE2\x80\xAF"};
     const char *begin = code->text + comment->begin + 2;
     char *words = memory_text("%.*s", (int)strcspn(begin, "\n"), begin);
-    bool quoted = false; // a file's name stays as it is
+    bool quoted = false; // no-break spaces in a file's name are kept
     for (char *c = words; *c != '\0'; c++) {
         quoted ^= *c == '"';
         for (int i = 0; i < 2 && !quoted; i++)

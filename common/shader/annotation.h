@@ -7,14 +7,14 @@
 
 #define BLANKS " \t\v\f\r" // blanks within a line
 
-enum { ANNOTATION_NAME = 64 }; // bytes of a name or a type, including the end
+enum { ANNOTATION_NAME = 64 }; // bytes of a name or a type, including the final '\0'
 
 // An annotated uniform, on one line.
 struct annotation {
     const char *what, *example; // for messages: "parameter" or "sampler", and an example of one
     const struct shader_source *source;
-    bool quiet;                                        // report nothing
-    int line;                                          // line of the text, from 0
+    bool quiet; // report no errors, and accept a default value
+    int line;   // line of the text, from 0
     const struct glsl_token *uniform, *type, *comment; // comment is NULL if there is none
     char name[ANNOTATION_NAME];
     char *words;   // text of the comment, owned; "" if there is none
@@ -23,29 +23,30 @@ struct annotation {
     struct sampler sampler;
 };
 
-// Begin to read a uniform's annotation: find the comment on the uniform's line. A no-break space,
-// which a French keyboard types, counts as a blank except in quotes; a control character becomes a
-// question mark.
+// Begin to read a uniform's annotation: find the comment on the uniform's line. No-break spaces,
+// which some French keyboard layouts produce, count as blanks except in quotes; a control character
+// becomes a question mark.
 //   what, example  as in struct annotation
 // The caller frees a->words.
 void annotation_begin(struct annotation *a, const struct shader_source *source,
                       const struct glsl_token *uniform, const char *what, const char *example);
 
-// Report a malformed annotation, unless it is quiet. Always returns false.
+// Report a malformed annotation, unless a->quiet is set. Always returns false.
 bool annotation_refuse(const struct annotation *a, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-// If a character, or a whole word, is next, skip it and the blanks around it, and return true.
+// Skip blanks. If the given character, or the given whole word, comes next, skip it and the blanks
+// after it, and return true; otherwise return false.
 bool annotation_accept(struct annotation *a, char c);
 bool annotation_accept_word(struct annotation *a, const char *word);
 
 // Copy the next length bytes of the comment, without the blanks around them. Returns false after
-// reporting the error if none of these bytes remain, or too many.
-//   part  what these bytes are, for messages
+// reporting the error if only blanks remain, or if the copy does not fit into size bytes.
+//   part  the name of this part, for messages
 bool annotation_copy(struct annotation *a, const char *part, char *to, size_t size, size_t length);
 
-// Read "uniform TYPE NAME;", which must be the only code on its line. If the annotation is quiet, a
-// default value may follow the name. Returns false after reporting the error.
+// Read "uniform TYPE NAME;", which must be the only code on its line. If a->quiet is set, a default
+// value may follow the name. Returns false after reporting the error.
 bool annotation_declaration(struct annotation *a);
 
 // Read the samplers of a source: see parameters_read.

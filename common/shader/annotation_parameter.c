@@ -13,7 +13,7 @@
 // ---- Numbers ----
 
 // Read a number that a float can represent.
-//   single  only one number is allowed: a comma with a digit after it is refused
+//   single  a comma with a digit after it is a decimal comma, and is refused
 static bool read_any_number(struct annotation *a, const char *what, bool single, double *value)
 {
     a->c += strspn(a->c, BLANKS);
@@ -132,11 +132,12 @@ static bool read_step(struct annotation *a)
                       : !read_number(a, "the step", true, &p->step))
         return false;
     if (p->multiplies && (p->step <= 1.0 || p->minimum <= 0.0))
-        return annotation_refuse(a, "a step that multiplies must be above 1, in a range above 0");
+        return annotation_refuse(a,
+                                 "a step that multiplies must be above 1, and its range above 0");
     return p->step > 0.0 || annotation_refuse(a, "the step must be above 0");
 }
 
-// Read the word "handle" and its plane, if they are next.
+// If the word "handle" comes next, read it and the plane that may follow it.
 static bool read_handle(struct annotation *a)
 {
     struct parameter *p = &a->parameter;
@@ -199,13 +200,13 @@ static bool read_parameter(struct annotation *a)
     return read_words(a);
 }
 
-// Read the parameter that a uniform declares, if any. Returns false if it is malformed.
+// Read the parameter that a uniform declares, if any. Returns false if the parameter is malformed.
 //   found  receives whether the uniform's comment declares a parameter
 static bool read_uniform(struct annotation *a, const struct shader_source *source,
                          const struct glsl_token *uniform, bool *found)
 {
     annotation_begin(a, source, uniform, "parameter", EXAMPLE);
-    a->parameter.minimum = -10.0; // the range of a handle that gives none
+    a->parameter.minimum = -10.0; // the default range of a handle
     a->parameter.maximum = 10.0;
     *found = begins_with_value(a->c);
     bool done = !*found || read_parameter(a);

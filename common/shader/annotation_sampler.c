@@ -47,14 +47,15 @@ static bool read_picture(struct annotation *a, bool volume, char file[256])
 {
     struct sampler *sampler = &a->sampler;
     if (!annotation_accept(a, '"'))
-        return annotation_refuse(a, "no picture is named: write it as in \"%s\"", a->example);
+        return annotation_refuse(a, "no picture is named: name one as in \"%s\"", a->example);
     size_t length = strcspn(a->c, "\"");
     if (a->c[length] == '\0')
-        return annotation_refuse(a, "the file's name is not closed: write it as in \"%s\"",
+        return annotation_refuse(a, "the file's name has no closing quote: write it as in \"%s\"",
                                  a->example);
-    return annotation_copy(a, "file", file, 256, length) && annotation_accept(a, '"') &&
-           read_choice(a, "sRGB", "linear", "a colour is sRGB, a number linear", &sampler->srgb) &&
-           read_choice(a, "repeat", "clamp", "a picture repeats, or its edge continues",
+    return annotation_copy(a, "file's name", file, 256, length) && annotation_accept(a, '"') &&
+           read_choice(a, "sRGB", "linear", "sRGB is for colours, linear for numbers",
+                       &sampler->srgb) &&
+           read_choice(a, "repeat", "clamp", "repeat tiles the picture, clamp continues its edge",
                        &sampler->repeat) &&
            read_slices(a, sampler, volume) &&
            (annotation_accept(a, ':') || *a->c == '\0' ||
@@ -92,7 +93,7 @@ static bool add_sampler(struct samplers *samplers, const struct sampler *sampler
     return true;
 }
 
-// The token of a uniform's type if this is a sampler of any kind, otherwise NULL.
+// The type token of a uniform if its type is a sampler of any kind, otherwise NULL.
 static const struct glsl_token *sampler_type(const struct glsl_token *uniform)
 {
     const struct glsl_token *t = uniform + 1;
@@ -118,7 +119,7 @@ static bool read_sampler(struct samplers *samplers, struct shader_source *source
         annotation_declaration(&a) &&
         (volume || glsl_is(type, "sampler2D") ||
          annotation_refuse(&a,
-                           "the type %s cannot be filled in: use sampler2D, or sampler3D for a "
+                           "the type %s cannot be a texture: use sampler2D, or sampler3D for a "
                            "volume",
                            type->text)) &&
         read_picture(&a, volume, file);
@@ -152,7 +153,7 @@ static bool add_channels(struct samplers *samplers, struct shader_source *source
 }
 
 // Refuse a sampler that is declared in a structure or a macro, because no picture can be assigned
-// to it. A function's parameter is allowed: it stands for a sampler declared elsewhere.
+// to it. A function's parameter is allowed, because it refers to a sampler declared elsewhere.
 static bool check_hidden(const struct shader_source *source, const struct glsl_token *type)
 {
     static const char *const types[] = {"sampler2D", "sampler3D", NULL};

@@ -18,7 +18,7 @@ char *shader_text(const struct shader_source *source, enum shader_view view)
 
 // Report why a step failed, with the author's files and lines.
 //   step  "compile" or "link"
-//   log   what the driver wrote; may be NULL or empty
+//   log   the driver's log; may be NULL or empty
 static void report_failure(const struct shader_source *source, enum shader_view view,
                            const char *step, const char *log)
 {
@@ -55,8 +55,8 @@ static GLuint compile(const struct gl *gl, GLenum stage, const char *text)
     return shader;
 }
 
-// A program that was begun. The result is not queried at once, because the query would wait for the
-// driver.
+// A program whose compilation has begun. The result is not queried at once, because the query would
+// wait for the driver.
 struct begun {
     char *text[2];            // texts of the stages, owned; NULL if the caller owns them
     GLuint stage[2], program; // 0 before they are begun
@@ -84,10 +84,10 @@ static enum shader_step step_of(const struct gl *gl, const struct begun *one)
     return SHADER_LINK;
 }
 
-// Free all but the program.
+// Free everything except the program.
 static void leave(const struct gl *gl, struct begun *one)
 {
-    // An attached shader lives until its program is deleted; 0 is ignored.
+    // An attached shader lives until its program is deleted; DeleteShader ignores 0.
     gl->DeleteShader(one->stage[0]);
     gl->DeleteShader(one->stage[1]);
     free(one->text[0]);
@@ -139,7 +139,8 @@ static struct begun *find(const char *vertex, const char *fragment)
 bool shader_ready(const struct gl *gl)
 {
     for (int i = 0; i < LIST; i++) {
-        GLint done = GL_TRUE; // stays, with an OpenGL error, if the driver lacks the extension
+        // The value stays GL_TRUE, with an OpenGL error, if the driver lacks the extension.
+        GLint done = GL_TRUE;
         if (list[i].program == 0)
             continue;
         gl->GetProgramiv(list[i].program, GL_COMPLETION_STATUS_KHR, &done);
@@ -185,8 +186,8 @@ static struct shader_source vertex_for(const struct shader_source *vertex,
     return stage;
 }
 
-// Prepare a message for a crash of the driver, because a recursive compiler runs out of stack on a
-// long sum.
+// Prepare a message in case the driver crashes: a recursive compiler runs out of stack on a long
+// sum.
 static void guard(const struct gl *gl, const struct shader_source *fragment)
 {
     guard_begin("%.800s: the graphics driver crashed on it, or needs more than 4 GB for it: "
@@ -226,7 +227,7 @@ GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
     GLuint program = shader_link_texts(gl, first, second, &step, &log);
     if (GL_IS_ES && program == 0 && step == SHADER_COMPILE_FRAGMENT && fragment->body != NULL) {
         // Desktop GLSL accepts integers as floats. If both texts fail, the error in the author's
-        // own text is reported.
+        // text is reported.
         char *floats = translate_floats(second), *other;
         program = shader_link_texts(gl, first, floats, &step, &other);
         free(floats);

@@ -13,31 +13,32 @@
 char *shader_text(const struct shader_source *source, enum shader_view view);
 
 // Compile and link a program.
-//   vertex   shaders/screen.vert
+//   vertex   the source of shaders/screen.vert
 // Returns the program, owned by the caller, or 0 after reporting the errors, each with its file and
 // line, and the source line below it.
 GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
                    struct shader_source *fragment, enum shader_view view);
 
-// Give a program to the driver, which may compile it in its own threads. The next shader_link of
-// the same texts takes this program; until then, shader_ready tells whether shader_link would have
-// to wait. Only a few programs can be under way at a time; further ones are not begun.
+// Pass a program to the driver, which may compile it in threads of its own. The next shader_link of
+// the same texts uses this program; until then, shader_ready tells whether shader_link would have
+// to wait. Only a few programs can be in progress at a time; beyond that, the call does nothing.
 void shader_begin(const struct gl *gl, const struct shader_source *vertex,
                   const struct shader_source *fragment, enum shader_view view);
 
-// True if no program that was begun is still being compiled. Without KHR_parallel_shader_compile,
-// the answer is always true.
+// True if no program that was begun is still being compiled. Always true without
+// KHR_parallel_shader_compile.
 bool shader_ready(const struct gl *gl);
 
-// Delete the programs that were begun but not taken by shader_link.
+// Delete the programs that were begun but not used by shader_link.
 void shader_forget(const struct gl *gl);
 
-// The steps to a linked program.
+// The steps that produce a linked program.
 enum shader_step { SHADER_COMPILE_VERTEX, SHADER_COMPILE_FRAGMENT, SHADER_LINK };
 
 // Compile and link two texts unchanged.
 //   step  receives the step that failed, or SHADER_LINK
-//   log   receives the driver's log of the step that failed, which the caller frees, or NULL
+//   log   receives the driver's log of the step that failed, or NULL if there is none; the caller
+//         frees the log
 // Returns the program, owned by the caller, or 0 without reporting an error.
 GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fragment,
                          enum shader_step *step, char **log);
@@ -47,9 +48,9 @@ GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fr
 // driver, "0(12) : ", or with "ERROR: 0:12: ". A message about a function that is called but never
 // defined gets the file and line of the call. Each line becomes "FILE:LINE: error: message" with
 // the source line below, which is shown only once for consecutive messages and is cut after 160
-// bytes. Warnings are left out if the log has errors; a message that names no line of the source is
-// kept as it is; after 20 messages, the rest are only counted. Returns memory that the caller
-// frees.
+// bytes. Repeated lines are dropped, and warnings too if the log has errors; a message that names
+// no line of the source is left unchanged; after 20 messages, the rest are only counted. Returns
+// memory that the caller frees.
 char *shader_explain(const struct shader_source *source, enum shader_view view, const char *log);
 
 #endif

@@ -11,7 +11,7 @@ static enum declared_kind kind_of(const struct glsl *code, const struct glsl_tok
                                                                     : DECLARED_VARIABLE;
 }
 
-// Take a name, if it can be declared as this kind. Returns false if not.
+// Store a name if a declaration of this kind can declare it. Returns false otherwise.
 static bool take_name(struct declared *at, const struct glsl_token *name)
 {
     const struct glsl_token *t = name + 1;
@@ -60,7 +60,7 @@ static bool take_declaration(struct declared *at, const struct glsl_token *t)
     return take_name(at, at->first);
 }
 
-// True for braces around members, even if macros hide the struct or the block.
+// True for braces around members, even if a macro hides the word struct or the block's qualifier.
 static bool holds_members(const struct glsl *code, const struct glsl_token *brace)
 {
     const struct glsl_token *end = glsl_next(code, brace);

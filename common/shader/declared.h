@@ -9,25 +9,25 @@
 
 enum declared_kind {
     DECLARED_NONE,
-    DECLARED_VARIABLE, // also in a function, but not a parameter or a member
+    DECLARED_VARIABLE, // global or local, but not a parameter or a member
     DECLARED_IN,
     DECLARED_OUT,
     DECLARED_UNIFORM,
     DECLARED_BLOCK // a block of inputs, outputs or uniforms
 };
 
-// A declared name, and the position of the reader. Begin with a struct of zeros in which only code
-// is set.
+// A declared name, and the state of an iteration over all declared names. Begin with a struct of
+// zeros in which only code is set.
 struct declared {
     const struct glsl *code;
     enum declared_kind kind;
-    const struct glsl_token *begin;               // the first qualifier
-    const struct glsl_token *layout;              // the word layout among the qualifiers, or NULL
+    const struct glsl_token *begin;               // the declaration's first token
+    const struct glsl_token *layout;              // the word layout; NULL if there is none
     const struct glsl_token *type, *first, *name; // first is the first name of the declaration
-    const struct glsl_token *value;               // the = after the name and its size, or NULL
-    const struct glsl_token *end; // after all these: a comma, a semicolon, ...; for a block, its {
-    const char *storage;          // the storage that declared_store last wrote
-    const char *word;             // the name
+    const struct glsl_token *value; // the = after the name and its size; NULL if there is none
+    const struct glsl_token *end; // the token after all these, such as a comma; for a block, its {
+    const char *storage;          // the storage qualifier that declared_store last wrote
+    const char *word;             // the text of the name
 };
 
 // Move to the next declared name. Returns false at the end.
@@ -40,11 +40,12 @@ bool declared_is_first(const struct declared *at);
 bool declared_is_array(const struct declared *at);
 
 // True if the text mentions the name elsewhere, perhaps in a macro. For a block, this applies to
-// the name after its braces or, if there is none, to its members.
+// its instance name or, if it has none, to its members.
 bool declared_is_read(const struct declared *at);
 
-// Declare the name with another storage, without its layout and interpolation: "uniform", or "" for
-// a variable. This must be done for each name of a declaration, in order.
+// Declare the name with another storage qualifier, and without its layout and interpolation
+// qualifiers. Call this for each name of a declaration, in order.
+//   storage  such as "uniform"; "" for a variable
 void declared_store(struct declared *at, struct edits *edits, const char *storage);
 
 // The outputs of a file with its own main.
@@ -59,12 +60,12 @@ struct outputs {
 //   uncertain  also count outputs inside an #if that only the driver can decide
 struct outputs declared_outputs(const struct glsl *code, bool uncertain);
 
-// The output that is the picture, in a file with its own main: the output at location 0, or the
-// first. If some outputs are certain, only these count. The kind of the result is DECLARED_NONE if
-// there is no output.
+// The output that is shown as the picture, in a file with its own main: the output at location 0
+// or, if there is none, the first output. If any outputs are certain, only these count. The kind of
+// the result is DECLARED_NONE if there is no output.
 struct declared declared_output(const struct glsl *code);
 
-// True if anything outside functions, or a macro, declares or defines a word.
+// True if a word is declared or defined outside functions, or declared as a uniform in a macro.
 bool declared_anywhere(const struct glsl *code, const char *word);
 
 #endif

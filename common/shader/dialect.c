@@ -12,7 +12,7 @@
 #include "shader/parameter.h"
 #include "shader/translate.h"
 
-#define ARRAY_LIMIT  65536 // most elements of an array
+#define ARRAY_LIMIT  65536 // maximum number of elements of an array
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
 // ---- Files of other kinds ----
@@ -21,15 +21,15 @@ struct kind {
     const char *word, *why;
 };
 
-// Words that only one kind of file contains.
+// Words that occur in only one kind of file.
 static const struct kind kinds[] = {
     {"gl_GlobalInvocationID", "a compute shader: a picture needs a fragment shader"},
     {"EmitVertex", "a geometry shader: a picture needs a fragment shader"},
     {"gl_TessCoord", "a tessellation shader: a picture needs a fragment shader"},
-    {"SV_Target", "HLSL, the language of DirectX: a shader must be GLSL"},
-    {"SV_POSITION", "HLSL, the language of DirectX: a shader must be GLSL"},
-    {"CGPROGRAM", "a shader for Unity: a shader must be GLSL"},
-    {"metal_stdlib", "the language of Metal: a shader must be GLSL"},
+    {"SV_Target", "HLSL, the language of DirectX: a shader must be in GLSL"},
+    {"SV_POSITION", "HLSL, the language of DirectX: a shader must be in GLSL"},
+    {"CGPROGRAM", "a shader for Unity: a shader must be in GLSL"},
+    {"metal_stdlib", "the language of Metal: a shader must be in GLSL"},
     {"shader_type", "a shader for Godot: write void main() or mainImage, and name the inputs as "
                     "docs/using.md does"},
     {"isf_vertShaderInit", "a vertex shader for ISF: a picture needs a fragment shader"},
@@ -38,12 +38,14 @@ static const struct kind kinds[] = {
 
 // Functions that a file of another kind defines instead of main or mainImage.
 static const struct kind functions[] = {
-    {"mainSound", "a sound for Shadertoy, because it defines mainSound: there is no sound here"},
+    {"mainSound",
+     "a sound shader for Shadertoy, because it defines mainSound: sound is not supported"},
     {"mainCubemap", "a cube map for Shadertoy, because it defines mainCubemap: cube maps are not "
-                    "offered"},
-    {"transition", "a GL Transition, which blends two pictures: there are none here"}};
+                    "supported"},
+    {"transition", "a GL Transition, which blends two pictures: transitions are not supported"}};
 
-// The kind of file that a first comment in JSON describes, or NULL if there is no such comment.
+// The kind of file that a JSON comment at its beginning describes, or NULL if there is no such
+// comment.
 static const char *what_of_header(const struct glsl *code)
 {
     static const char isf[] = "an ISF file, as its first comment shows; ISF is not supported: "
@@ -55,8 +57,8 @@ static const char *what_of_header(const struct glsl *code)
         {"\"CATEGORIES\"", isf},
         {"\"DESCRIPTION\"", isf},
         {"\"CREDIT\"", isf},
-        {"PASSES", "a file of several passes, as its first comment shows: only a single pass is "
-                   "drawn here"}};
+        {"PASSES", "a file with several passes, as its first comment shows: only a single pass "
+                   "can be drawn"}};
     const char *c = code->text + code->item->begin + 2, *end = c + code->item->length;
     if (code->item->kind != GLSL_COMMENTED || c[strspn(c, "* \t\n")] != '{')
         return NULL;
@@ -70,8 +72,9 @@ static const char *what_of_header(const struct glsl *code)
 
 static bool refuse_vertex(const struct shader_source *source)
 {
-    return report("%s: a vertex shader, because it sets gl_Position: give the fragment shader",
-                  source->files[0]);
+    return report(
+        "%s: a vertex shader, because it sets gl_Position: give the fragment shader instead",
+        source->files[0]);
 }
 
 // Refuse a file that is not a fragment shader, in one line that says what it is.
@@ -97,10 +100,10 @@ static bool check_kind(const struct shader_source *source)
            refuse_vertex(source);
 }
 
-// Refuse a text of nothing but comments, and two kinds of text for which some drivers take minutes
+// Refuse a text that contains only comments, and two kinds of text that cost some drivers minutes
 // and all the memory: a huge array with a literal number of elements, and macros or functions whose
 // expansion doubles again and again. A constant can hide the size of an array, so guard_begin also
-// limits the memory that a driver may take.
+// limits the memory that a driver may use.
 static bool check_sense(const struct shader_source *source)
 {
     const struct glsl *code = &source->code;
@@ -108,21 +111,20 @@ static bool check_sense(const struct shader_source *source)
     while (t->kind != GLSL_END && !(t->live && t->kind < GLSL_COMMENT))
         t++;
     if (t->kind == GLSL_END)
-        return report("%s: contains only comments: a shader is code", source->files[0]);
+        return report("%s: contains only comments: a shader needs code", source->files[0]);
     for (t = code->statement; t->kind != GLSL_END; t++) {
         const struct glsl_token *number = t + 1;
         if (t->sign == '[' && number->kind == GLSL_NUMBER && number[1].sign == ']' &&
             strtod(number->text, NULL) > ARRAY_LIMIT)
             return shader_refuse(source, t->line,
-                                 "an array of %.20s elements: a graphics processor has room for at "
-                                 "most %d",
-                                 number->text, ARRAY_LIMIT);
+                                 "an array of %.20s elements: at most %d are allowed", number->text,
+                                 ARRAY_LIMIT);
     }
     t = growth_find(code);
     return t == NULL ||
            shader_refuse(source, t->line,
-                         "%.40s: expands to more than %.0f million tokens, with all macros and "
-                         "functions in it: more than a graphics driver can compile",
+                         "%.40s: expands to more than %.0f million tokens, including all macros "
+                         "and functions in it: more than a graphics driver can compile",
                          t->text, GROWTH_LIMIT / 1e6);
 }
 
@@ -133,7 +135,7 @@ static bool refuse_image(const struct shader_source *source, const struct glsl_t
                          "mainImage(out vec4 fragColor, in vec2 fragCoord)");
 }
 
-// Check that mainImage returns its colour in an out parameter, and that the text does not write
+// Check that mainImage returns its colour in an out parameter, and that the text does not mention
 // gl_FragColor.
 static bool check_image(const struct shader_source *source)
 {
@@ -175,7 +177,7 @@ static bool check_version(const struct shader_source *source)
     for (int i = 1; i < source->file_count && source->version != 0; i++)
         if (strcmp(source->files[i], "shaders/main.glsl") == 0)
             return shader_refuse(source, 0,
-                                 "take #version out: a file that includes main.glsl gets its own");
+                                 "remove #version: a file that includes main.glsl gets one anyway");
     return true;
 }
 
@@ -277,7 +279,7 @@ bool dialect_refuses(const struct shader_source *source, const char *log, bool l
         return !refuse_vertex(source);
     if (cube != NULL)
         return !shader_refuse(source, cube->line,
-                              "%s is read as a cube map, which is not offered here: a picture is "
+                              "%s is read as a cube map, which is not supported here: a picture is "
                               "read at a vec2",
                               cube->text);
     for (int i = 0; source->dialect != DIALECT_COURSE && (input = inputs_row(i)) != NULL; i++) {
@@ -289,10 +291,11 @@ bool dialect_refuses(const struct shader_source *source, const char *log, bool l
     bool toy = source->dialect == DIALECT_SHADERTOY;
     const struct glsl_token *pixel = glsl_find(code, "FC");
     if (pixel != NULL && !code->name[pixel->name].macro && source->file_count == 1)
-        return !shader_refuse(source, pixel->line,
-                              "FC: a short name of twigl: write gl_FragCoord, declare uniform vec2 "
-                              "resolution; and uniform float time; and put everything into void "
-                              "main()");
+        return !shader_refuse(
+            source, pixel->line,
+            "FC: a short name from twigl: write gl_FragCoord, declare uniform vec2 "
+            "resolution; and uniform float time; and put everything into void "
+            "main()");
     if (toy && image != NULL && strstr(log, "mainImage") != NULL)
         return !refuse_image(source, image);
     return !toy && (linking || strstr(log, "Missing main()") != NULL) &&
@@ -344,7 +347,7 @@ static void warn(struct shader_source *source, const struct declared *at)
         why = memory_text("uniform %s %s is 0: %s", type, at->word,
                           silent                          ? input->text
                           : strstr(type, "image") != NULL ? "images that a shader writes are not "
-                                                            "offered"
+                                                            "supported"
                                                           : "nothing sets it; give it a value "
                                                             "where it is declared");
     shader_refuse(source, at->name->line, "warning: %s", why);
@@ -378,7 +381,7 @@ bool dialect_accepts(struct shader_source *source)
     struct declared shown = declared_output(code);
     if (shown.kind != DECLARED_NONE && shown.name->certain && !declared_is_read(&shown))
         return shader_refuse(source, shown.name->line,
-                             "out %s %s: never gets a value: write %s = vec4(...); in main",
+                             "out %s %s never gets a value: write %s = vec4(...); in main",
                              shown.type->text, shown.word, shown.word);
     return writes(code) ||
            report("%s: writes no colour: declare out vec4 FragColor; and give it a value in main",

@@ -9,19 +9,19 @@
 
 // What main() shows: the value of VIEW in shaders/main.glsl.
 enum shader_view {
-    SHADER_PICTURE, // the colour of rayColour
+    SHADER_PICTURE, // the colour that rayColour returns
     SHADER_NORMALS, // the first normal of the pixel's ray
-    SHADER_DEPTH,   // the distance at which the ray's first march ended
-    SHADER_STEPS,   // the steps of all marches of the ray's pixel
+    SHADER_DEPTH,   // the distance at which the first march of the pixel's ray ended
+    SHADER_STEPS,   // the total number of steps of the pixel's marches
     SHADER_SLICE,   // the march of one ray, seen from the side
     SHADER_PLOT,    // the march, and below it a plot of the distance along that ray
     SHADER_VIEW_COUNT,
-    // From here on, the values are programs, but not views.
+    // From here on, the values select programs that are not views.
     SHADER_PROBE = SHADER_VIEW_COUNT, // the steps of one ray, as numbers
-    SHADER_COUNT,                     // evaluations of the scene for each pixel
+    SHADER_COUNT,                     // the number of evaluations of the scene for each pixel
     SHADER_COARSE,                    // where the rays of a block of pixels may start
-    SHADER_PROJECTION,                // where points, such as a ray's steps, are in the picture
-    SHADER_ROOM,                      // where a moving camera stops
+    SHADER_PROJECTION, // the positions of points, such as a ray's steps, in the picture
+    SHADER_ROOM,       // where a moving camera stops
     SHADER_PROGRAM_COUNT
 };
 
@@ -29,12 +29,13 @@ enum shader_view {
 //   path, root, request  as for shader_expand
 // Text that the preprocessor skips is ignored. A file in Shadertoy's dialect mentions mainImage and
 // defines no main. Any other file with a #version is a whole shader, with its own main, and so is a
-// file that defines main and includes nothing. All others, and what --print-shader prints of a
-// course file, are in the course's dialect.
+// file that defines main, includes nothing and does not mention gl_Position. All others, and the
+// output of --print-shader for a course file, are in the course's dialect.
 // Returns false after reporting the error with file and line. The errors are: anything that
 // shader_expand or translate refuses; a file of another kind; nothing but comments; an array whose
-// literal size exceeds 65536; more tokens than growth.h allows; and a #version above an include of
-// main.glsl. Free with shader_free.
+// literal size exceeds 65536; more tokens than growth.h allows; a #version above an include of
+// main.glsl; and a mainImage whose first parameter is not an output, or beside which the text
+// mentions gl_FragColor. Free with shader_free.
 bool shader_read_asked(struct shader_source *source, const char *path, const char *root,
                        const struct shader_request *request);
 
@@ -49,16 +50,17 @@ bool shader_shows_ray(enum shader_view view);
 const char *shader_view_name(enum shader_view view);
 bool shader_view_from_name(const char *name, enum shader_view *view);
 
-// True if the view can be shown. Otherwise the reason is reported: only the course's dialect has
-// views other than the picture, because any other file has its own main, which records no march.
+// True if the view can be shown. Returns false after reporting the reason: only the course's
+// dialect has views other than the picture, because any other file has its own main, which records
+// no march.
 bool shader_has_view(const struct shader_source *source, enum shader_view view);
 
-// The lines that the driver gets before the text: #version and VIEW, or the prelude of translate.
+// The lines that precede the text for the driver: #version and VIEW, or the prelude of translate.
 // Returns memory that the caller frees.
 char *dialect_prelude(const struct shader_source *source, enum shader_view view);
 
 // Report in the author's terms why a shader cannot run, if the driver's log does not help: for
-// example, the shader needs something that is not offered, has no main, or is not a fragment
+// example, the shader needs something that is not supported, has no main, or is not a fragment
 // shader.
 //   log      the driver's log
 //   linking  the shader has compiled but did not link

@@ -8,8 +8,8 @@
 #include "memory.h"
 
 struct edit {
-    int begin, length; // the part that is replaced, bytes
-    int number;        // the order of edits at one position
+    int begin, length; // position and length of the replaced part, in bytes
+    int number;        // order among the edits at one position
     char *text;
 };
 

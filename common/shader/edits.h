@@ -16,8 +16,8 @@ struct edits {
 void edits_add(struct edits *edits, int begin, int length, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-// edits_replace replaces a token; edits_cut deletes everything from one token to another, both
-// included.
+// edits_replace replaces a token; edits_cut deletes everything from one token to another, including
+// both.
 void edits_replace(struct edits *edits, const struct glsl_token *token, const char *instead);
 void edits_cut(struct edits *edits, const struct glsl_token *from, const struct glsl_token *to);
 

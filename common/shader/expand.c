@@ -13,8 +13,8 @@
 #include "report.h"
 #include "shader/passes.h"
 
-#define TEXT_LIMIT  (8 * 1024 * 1024) // most bytes of the expanded text
-#define DEPTH_LIMIT 64                // most files open at once, including the first one
+#define TEXT_LIMIT  (8 * 1024 * 1024) // maximum size of the expanded text, in bytes
+#define DEPTH_LIMIT 64                // maximum number of files open at once, including the first
 #define BLANKS      " \t\v\f"
 #define WHERE_SIZE  (3 * PLATFORM_PATH) // room for FILE:LINE: #include "NAME"
 
@@ -24,13 +24,13 @@
 struct expansion {
     struct shader_source *source;
     struct glsl_reader reader; // scans the source's text
-    int open[DEPTH_LIMIT];     // the files from the first to the one being read
+    int open[DEPTH_LIMIT];     // indices of the files from the first to the one being read
     int depth;
 };
 
 static bool expand_file(struct expansion *e, int file, const char *where);
 
-// Report an include with which a file would include itself, with the files in between.
+// Report an include that would make a file include itself, and list the files in between.
 static bool report_cycle(const struct expansion *e, int file, const char *where)
 {
     char chain[2048] = "";
@@ -55,7 +55,7 @@ static bool include(struct expansion *e, struct shader_line from, const char *na
              name);
     if (strncmp(name, "http", 4) == 0)
         return report("%s: files are not downloaded: save this one beside the shader and include "
-                      "that",
+                      "the copy",
                       where);
     int count = source->file_count;
     int file = files_find(source, from.file, name, folders, ", in shaders/ or in chapters/", why);
@@ -100,7 +100,7 @@ static bool take_include(struct expansion *e, struct shader_line at, const char 
     if (rest[0] == '<' && rest[length] == '>' && length < PLATFORM_PATH)
         return report(
             "%s:%d: #include %.*s>: a part of a library, such as three.js or lygia, which "
-            "is not here: remove the line, or write what it defines",
+            "is not available here: remove the line, or write what it defines",
             file, at.line, length, rest);
     return report("%s:%d: malformed include: write #include \"name.glsl\" alone on its line", file,
                   at.line);
@@ -108,9 +108,9 @@ static bool take_include(struct expansion *e, struct shader_line at, const char 
 
 // ---- The directives of Shader Toy, an extension of VS Code ----
 
-// Rewrite the rest of #iUniform float x = 0.5 in { 0.0, 1.0 } as an annotated uniform. Without a
-// range, the uniform can go up to four times the value's magnitude, or up to 1 if the value is 0,
-// on either side of 0. Returns memory that the caller frees, or NULL if the directive is malformed.
+// Rewrite the rest of #iUniform float x = 0.5 in { 0.0, 1.0 } as an annotated uniform. If no range
+// is given, the range extends to four times the value's magnitude, or to 1 if the value is 0, on
+// either side of 0. Returns memory that the caller frees, or NULL if the directive is malformed.
 static char *annotated_uniform(const char *c)
 {
     char type[16], name[64], words[256] = "0 ", range[64] = "";
@@ -123,7 +123,7 @@ static char *annotated_uniform(const char *c)
     size_t used = *c == '=' ? 0 : 2;
     c += used == 0;
     c += strspn(c, BLANKS);
-    // A value loses its constructor and the suffix f of a float; braces become square brackets.
+    // Remove constructors and the suffix f of a float, and turn braces into square brackets.
     for (; strchr("\n;", *c) == NULL && used + 1 < sizeof words; c++) {
         size_t word = strcspn(c, "( \t\n;");
         bool suffix = *c == 'f' && used > 0 && strchr(".0123456789", words[used - 1]) != NULL;
@@ -181,17 +181,17 @@ static bool take_channel(struct expansion *e, struct shader_line at, int channel
     const char *name = value + (strncmp(value, "file://", 7) == 0 ? 7 : 0);
     int picture = shader_find_texture(source, at.file, name, why);
     source->channel[channel] = picture > 0 ? picture : 0;
-    const char *reason = picture < 0 ? why : "a shader's file";
+    const char *reason = picture < 0 ? why : "the shader's own file";
     if (GL_IS_ES)
         return picture > 0 || report("%s:%d: #iChannel%d: %s: this page cannot read your pictures",
                                      file, at.line, channel, reason);
-    return picture > 0 || report("%s:%d: #iChannel%d: %s: or give --channel %d=FILE.png", file,
+    return picture > 0 || report("%s:%d: #iChannel%d: %s: give --channel %d=FILE.png instead", file,
                                  at.line, channel, reason, channel);
 }
 
 // ---- Lines ----
 
-// Add the lines that have ended to the list of the source's lines.
+// Append the lines that have ended to the source's list of lines.
 static void end_lines(struct shader_source *source, struct shader_line *from)
 {
     for (; source->line_count < source->code.lines; from->line++) {
@@ -254,7 +254,7 @@ static bool check_directive(struct expansion *e, struct shader_line at,
     if (!glsl_is(hash + 1, "version"))
         return true;
     if (at.file > 0)
-        return report("%s:%d: #version in an included file: take it out", file, at.line);
+        return report("%s:%d: #version in an included file: remove it", file, at.line);
     bool number = hash + 2 < end && hash[2].kind == GLSL_NUMBER;
     e->source->version = number ? atoi(hash[2].text) : 1;
     return first || report("%s:%d: #version must come first: move it to the top", file, at.line);
@@ -278,8 +278,9 @@ static bool expand_text(struct expansion *e, int file, const char *text)
                           source->files[file],
                           from.line + code->item[code->count - 1].line - source->line_count);
         if (code->length > TEXT_LIMIT)
-            return report("%s:%d: the text exceeds 8 MiB with its includes: include less",
-                          source->files[file], from.line);
+            return report(
+                "%s:%d: the text exceeds 8 MiB with its includes: include fewer or smaller files",
+                source->files[file], from.line);
         for (int i = begin; done && i < code->count; i++) {
             const struct glsl_token *token = &code->item[i];
             struct shader_line at = {file, from.line + token->line - source->line_count};

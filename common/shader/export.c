@@ -23,7 +23,7 @@ struct export
     FILE *text;
 };
 
-// Write a number in GLSL ES, with a point or an exponent.
+// Write a number as a float in GLSL ES, with a decimal point or an exponent.
 static void put_float(struct export *e, double value)
 {
     char text[NUMBER_SIZE];
@@ -54,7 +54,7 @@ static void put_value(struct export *e, const struct parameter *parameter)
 }
 
 // Write the value of an input on Shadertoy, where the camera is constant, and the picture is drawn
-// in one part, with one sample. Returns the value's number of components.
+// as a whole, with one sample per pixel. Returns the value's number of components.
 static int put_meaning(struct export *e, const struct input *input)
 {
     static const struct {
@@ -130,8 +130,8 @@ static int mentions(const struct export *e, const char *name)
 }
 
 // Write the constant that replaces a uniform of the course, and the rest of its line. Write nothing
-// if Shadertoy declares the uniform, or if the uniform differs from draw to draw and only its
-// declaration mentions it. Returns false for any other uniform.
+// if Shadertoy declares the uniform, or if the uniform's value changes with each draw and
+// only its declaration mentions it. Returns false for any other uniform.
 static bool put_uniform(struct export *e, const struct glsl_token *uniform)
 {
     const struct glsl_token *name = uniform + 2, *end = uniform;
@@ -169,7 +169,7 @@ static void put_name(struct export *e, const char *before)
         fprintf(e->text, "%c", *c == '\\' ? '?' : *c);
 }
 
-// Write the exported lines, with those of each file below the file's name.
+// Write the exported lines, each file's lines under the file's name.
 static void put_files(struct export *e)
 {
     const struct shader_source *source = e->source;
@@ -200,7 +200,7 @@ static void put_course(struct export *e)
 {
     put_name(e, "// ");
     fprintf(e->text,
-            " for shadertoy.com, in one file: camera and parameters are constants here.\n");
+            " for shadertoy.com, in one file: the camera and the parameters are constants.\n");
     if (mentions(e, "VIEW") > 0)
         fprintf(e->text, "#define VIEW 0\n");
     if (mentions(e, "EXPORTED") > 0)
@@ -218,8 +218,8 @@ static void put_course(struct export *e)
 
 // ---- Other dialects ----
 
-// Write the statement that sets an input that Shadertoy lacks, with the type that the file
-// declares.
+// Write the statement that sets an input, with the type that the file declares, if Shadertoy lacks
+// the input or declares it with another type.
 static void put_input(struct export *e, const struct shader_input *in)
 {
     static const char *const parts[] = {"", ".x", ".xy", ".xyz", ""};
@@ -262,7 +262,7 @@ static bool put_foreign(struct export *e)
     }
     if (toy)
         fprintf(e->text, "    shaderImage(toyColour, toyPixel);\n}\n");
-    else if (!old && !output.name->certain) // an #if chooses one of several outputs
+    else if (!old && !output.name->certain) // an #if selects one of several outputs
         fprintf(e->text, "    shaderMain();\n    toyColour = shaderShown();\n}\n");
     else
         fprintf(e->text, "    shaderMain();\n    toyColour = vec4(%s.rgb, 1.0);\n}\n",
@@ -299,8 +299,8 @@ char *export_shadertoy(struct shader_source *source, const struct parameters *pa
     if (source->dialect == DIALECT_COURSE && parameters->samplers.count > 0) {
         const struct pictures pictures = {source, &parameters->samplers};
         text = memory_list(parameters->samplers.count, picture_of, &pictures);
-        report("%s: reads %s: Shadertoy takes no files: without =shadertoy, the printed text runs "
-               "here",
+        report("%s: reads %s: Shadertoy takes no files: leave out =shadertoy to print a text "
+               "that runs here",
                source->files[0], text);
         free(text);
         return NULL;

@@ -7,7 +7,7 @@
 #include "shader/source.h"
 
 // Write a shader in Shadertoy's dialect.
-//   parameters    of the source; each becomes a constant
+//   parameters    of the source; their current values become constants
 //   camera        becomes constants too, because Shadertoy has no camera
 //   focal_length  the value of the input for the focal length in dialects other than the course's
 // A course file loses the parts that only the views and the probe need, and its main becomes

@@ -36,8 +36,8 @@ void files_tell(const struct shader_source *source, const char *path)
         source->request.visit(source->request.to, path);
 }
 
-// The part of a resolved path that differs only in case from the name that led to it, or NULL. Any
-// other difference is allowed, because a link may lead anywhere.
+// The end of a resolved path from the first component that differs from the given name, but only in
+// case; NULL if there is none. Any other difference is allowed, because a link may lead anywhere.
 static const char *other_case(const char *name, const char *path)
 {
     while (strncmp(name, "./", 2) == 0 || strncmp(name, "../", 3) == 0)
@@ -93,8 +93,8 @@ static char *resolve(const struct shader_source *source, int from, const char *n
             return resolved;
         else
             snprintf(why, TEXT_FILE_WHY,
-                     "the disk has it as %.300s: write it like that, because other systems "
-                     "distinguish capital letters",
+                     "the name on disk is %.300s: write it like that, because other systems "
+                     "distinguish upper and lower case",
                      other);
         free(resolved);
         return NULL;

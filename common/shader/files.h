@@ -5,13 +5,14 @@
 #include "platform.h"
 #include "shader/source.h"
 
-// Pass a path that is read or tried to the request's function see.
+// Pass a path that is read or tried to the callback request.see, if there is one.
 void files_tell(const struct shader_source *source, const char *path);
 
 // The folder of a resolved path.
 void files_folder(const char *path, char folder[PLATFORM_PATH]);
 
-// Add a file, unless it is already listed, and take over name and path. Returns the file's index.
+// Add a file, unless it is already listed, and take ownership of name and path. Returns the file's
+// index.
 //   name  the name to print
 //   path  the resolved path
 int files_add(struct shader_source *source, char *name, char *path);
@@ -21,7 +22,7 @@ int files_add(struct shader_source *source, char *name, char *path);
 //   from     index of the file that names this file
 //   folders  the folders, each beginning with /, then NULL
 //   where    the same folders in words, for messages
-//   why      receives one phrase on failure
+//   why      receives the reason on failure, as a phrase
 // Returns the file's index, or -1 without reporting an error.
 int files_find(struct shader_source *source, int from, const char *name,
                const char *const folders[], const char *where, char why[TEXT_FILE_WHY]);

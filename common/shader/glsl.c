@@ -8,18 +8,18 @@
 #include "context/gl.h"
 #include "memory.h"
 
-enum { ENDS = 4 }; // tokens of kind GLSL_END after a row
+enum { ENDS = 4 }; // number of tokens of kind GLSL_END after each row
 
 // An open #if.
 struct glsl_conditional {
-    enum glsl_truth others; // whether a later part may be taken
+    enum glsl_truth others; // whether a later branch may be taken
     bool live, certain;     // whether the text around the #if is live, and certain
-    int depth, begin;       // depth of brackets at the #if, and at the beginning of this part
+    int depth, begin;       // bracket depth at the #if, and at the beginning of this branch
 };
 
 // ---- Names ----
 
-// The slot of a word in the table of names, used or free.
+// The slot of a word in the table of names; a free slot if the word is new.
 static int *slot_of(const struct glsl *code, const char *word, int length)
 {
     unsigned hash = 2166136261u, mask = (unsigned)(code->table_size - 1);
@@ -41,12 +41,12 @@ static void grow_table(struct glsl *code)
     code->table_size = code->table_size > 0 ? 2 * code->table_size : 64;
     free(code->table);
     code->table = memory_zeros((size_t)code->table_size, sizeof *code->table);
-    memset(code->table, 0xFF, (size_t)code->table_size * sizeof *code->table); // -1 each
+    memset(code->table, 0xFF, (size_t)code->table_size * sizeof *code->table); // every entry is -1
     for (int i = 0; i < code->name_count; i++)
         *slot_of(code, code->name[i].text, (int)strlen(code->name[i].text)) = i;
 }
 
-// Find the name of a word, or add it.
+// Find or add the name of a word. Returns the name's index.
 static int add_name(struct glsl *code, const char *word, int length)
 {
     grow_table(code);
@@ -108,8 +108,8 @@ static enum glsl_truth truth_of(const struct glsl *code, const struct glsl_token
     return glsl_code(c)->kind != GLSL_END ? GLSL_PERHAPS : no ? negate(truth) : truth;
 }
 
-// Begin the next part of the last #if. A skipped part does not change the depth; if several parts
-// may be taken, each begins with the depth of the #if.
+// Begin the next branch of the last #if. A skipped branch does not change the depth; if several
+// branches may be taken, each begins with the depth of the #if.
 static void begin_part(struct glsl_reader *r, enum glsl_truth branch, enum glsl_truth others)
 {
     struct glsl_conditional *last = &r->open[r->open_count - 1];
@@ -278,7 +278,8 @@ static void add_statement(struct glsl_reader *r, const struct glsl_token *token)
 {
     struct glsl *code = r->code;
     struct glsl_token *row = code->statement != NULL ? code->statement - 1 : NULL;
-    row = memory_row(row, code->statement_count + 1, sizeof *row); // plus the end before the first
+    row =
+        memory_row(row, code->statement_count + 1, sizeof *row); // plus the token before the first
     code->statement = row + 1;
     code->statement[code->statement_count] = *token;
     code->statement[code->statement_count].item = code->count;

@@ -1,9 +1,9 @@
-// glsl.h - a GLSL text as a row of tokens, scanned once.
+// glsl.h - a GLSL text as tokens, scanned once.
 //
 // There are two rows of tokens: those of the whole text, and those of its statements only, without
 // comments, directives and anything that the preprocessor certainly skips (after #if 0, #ifdef,
 // #ifndef, or #if with defined). Where only the driver can decide a condition (an expression, a
-// name that begins with GL_ or __), every part counts. Both rows end in tokens of kind GLSL_END,
+// name that begins with GL_ or __), every branch counts. Both rows end in tokens of kind GLSL_END,
 // and one more comes before the first statement, so a caller may look a few tokens ahead and one
 // back.
 #ifndef GLSL_H
@@ -29,11 +29,11 @@ struct glsl_token {
     bool certain : 1;   // live, and inside no #if that only the driver can decide
     bool parted : 1;    // among the statements: a directive comes directly before the token
     bool macro : 1;     // among the statements: a word that the text defines as a macro
-    int begin, length;  // position in the text, bytes
+    int begin, length;  // position in the text, in bytes
     int line;           // line of the text, from 0
     int depth;          // number of brackets of any kind around the token
     union {
-        int name;    // of a word or a number: its index in the names
+        int name;    // of a word or a number: its index among the names
         int partner; // of a bracket among the statements: the index of its partner, or of the end
     };
     const char *text; // of a word or a number; otherwise ""
@@ -47,14 +47,14 @@ enum glsl_truth { GLSL_NEVER, GLSL_ALWAYS, GLSL_PERHAPS };
 struct glsl_name {
     char *text;
     int count;               // number of live mentions
-    int last;                // index of the last mention among the statements, or -1
-    bool macro;              // a live #define names it
+    int last;                // index of the last mention among the statements; -1 if there is none
+    bool macro;              // a live #define defines the name
     const char *word;        // the single word that a macro stands for; NULL for any other name
     enum glsl_truth defined; // whether the name is defined as a macro at the end of the text
 };
 
 struct glsl {
-    char *text; // '\0' terminated
+    char *text; // terminated by '\0'
     int length, room;
     struct glsl_token *item, *statement;
     int count, statement_count; // number of tokens without those of kind GLSL_END
@@ -73,8 +73,9 @@ struct glsl_reader {
     int open_count;
     int *bracket; // indices of the open brackets among the statements
     int depth, hash;
-    bool live, certain, parted; // those of the next token
-    // Whether the next token is in a directive, and whether it is not the first token of its line.
+    bool live, certain, parted; // the values for the next token
+    // inside: the next token is in a directive. word: a token other than a comment precedes it on
+    // its line.
     bool inside, word;
 };
 
@@ -109,25 +110,25 @@ bool glsl_is_precision(const struct glsl_token *token);
 
 // The number of components of a scalar or vector type, or of columns of a matrix type; 0 for any
 // other type. The size of an array may follow the type.
-//   base  receives 'f', 'i', 'u' or 'b' for floats, integers, unsigned integers or truth values, or
-//         'm' for a matrix
+//   base  receives 'f', 'i', 'u' or 'b' for floats, integers, unsigned integers or Booleans, or 'm'
+//         for a matrix
 int glsl_type(const char *type, char *base);
 
 // True if glsl_is returns true, or if the token is a macro that always stands for this one word.
 bool glsl_means(const struct glsl *code, const struct glsl_token *token, const char *word);
 
-// The next token that is not a comment, starting with this one.
+// The first token that is not a comment, starting with the given one.
 const struct glsl_token *glsl_code(const struct glsl_token *token);
 
-// The other bracket of a pair among the statements, or the end.
+// The other bracket of a pair among the statements; the end if there is none.
 const struct glsl_token *glsl_partner(const struct glsl *code, const struct glsl_token *bracket);
 
 // The token after this one among the statements; if this one opens a bracket, the token after its
 // partner.
 const struct glsl_token *glsl_next(const struct glsl *code, const struct glsl_token *token);
 
-// The first of these signs among the statements, from a token on and outside any brackets that open
-// there, or the end.
+// The first of these signs among the statements, starting with the given token and skipping the
+// contents of brackets; the end if there is none.
 const struct glsl_token *glsl_skip(const struct glsl *code, const struct glsl_token *token,
                                    const char *signs);
 

@@ -30,8 +30,8 @@ const struct glsl_token *glsl_find_definition(const struct glsl *code, const cha
     return at;
 }
 
-// A word before the name is usually a type and makes this a declaration, but an expression may
-// follow one of the words in statements.
+// A word before the name is usually a type, in which case the mention is a declaration, but an
+// expression may follow one of the words in statements.
 const struct glsl_token *glsl_find_call(const struct glsl *code, const char *word)
 {
     static const char *const statements[] = {"return", "else", "do", NULL};

@@ -4,14 +4,16 @@
 
 #include "memory.h"
 
-#define DEPTH_LIMIT 64 // most definitions used before they are defined, and most nested arguments
+// The longest chain of definitions used before they are defined, and the deepest nesting of
+// arguments.
+#define DEPTH_LIMIT 64
 
 // A definition of a name: the tokens that replace it.
 struct body {
     const struct glsl_token *from, *end;
     int name;
     int next;      // another definition of the same name; -1 if there is none
-    bool function; // a function, not a macro
+    bool function; // true for a function, false for a macro
 };
 
 struct growth {
@@ -20,9 +22,9 @@ struct growth {
     int bodies;
     struct size {
         int body;      // index of the name's last definition; -1 if there is none
-        int uses;      // of a macro: the largest number of times that it repeats one argument
+        int uses;      // of a macro: the largest number of mentions of one parameter
         int mentions;  // number of mentions in the macro being counted
-        double tokens; // tokens to which one mention expands, without arguments; 0 until known
+        double tokens; // size of one mention's expansion, without arguments; 0 until known
     } * of;            // one for each name
 };
 
@@ -88,7 +90,7 @@ static void add_bodies(struct growth *growth)
 }
 
 // The number of tokens that a part of the text expands to.
-//   heaviest  receives the word that expands to the largest part, unless it is NULL
+//   heaviest  receives the word that expands to the most tokens; may be NULL
 static double tokens_of(struct growth *growth, const struct glsl_token *from,
                         const struct glsl_token *end, int depth,
                         const struct glsl_token **heaviest);
@@ -111,7 +113,7 @@ static double tokens_of_name(struct growth *growth, int name, int depth)
     return size->tokens = most;
 }
 
-// The bracket that closes the arguments after a macro's name; NULL if there are none.
+// The bracket that closes the arguments after a macro's name; NULL if there is no such bracket.
 static const struct glsl_token *end_of_arguments(const struct glsl_token *name,
                                                  const struct glsl_token *end)
 {
@@ -154,8 +156,8 @@ static double tokens_of(struct growth *growth, const struct glsl_token *from,
     return all;
 }
 
-// The heaviest word in a function of this name that exceeds the limit; NULL if there is none, or
-// for a macro.
+// The heaviest word in a function of this name whose expansion exceeds the limit. Returns NULL if
+// there is no such function; a macro does not count.
 static const struct glsl_token *heaviest_in(struct growth *growth, int name)
 {
     for (int i = growth->of[name].body; i >= 0; i = growth->body[i].next) {
@@ -182,7 +184,7 @@ const struct glsl_token *growth_find(const struct glsl *code)
                     ? heaviest_in(&growth, name)
                     : NULL;
     }
-    // A constant outside functions may exceed the limit too.
+    // A constant defined outside functions may exceed the limit too.
     const struct glsl_token *from = code->statement, *end = from;
     while (end->kind != GLSL_END && found == NULL) {
         while (end->kind != GLSL_END && end->sign != '{')

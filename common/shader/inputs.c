@@ -9,7 +9,7 @@
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
-// The position in the picture, as fractions of the picture's sides.
+// The position in the picture, as fractions of its width and height.
 #define SHARE "0.5 * harnessPosition / vec2(iResolution.x / iResolution.y, 1.0) + 0.5"
 #define SOUND "there is no sound here"
 #define SELF  "there is no earlier picture here"
@@ -41,7 +41,7 @@ static const struct input rows[] = {
     VEC3("iCameraForward", FORWARD), FLOAT("focalLength", FOCAL), FLOAT("iOrthoView", ORTHO),
     VEC2("iPixelOffset", DRAW), VEC2("iPixelJitter", DRAW), INT("iSample", DRAW),
     INT("iSamples", DRAW),
-    // Shadertoy's old name for iTime, and two inputs that are not offered
+    // Shadertoy's old name for iTime, and two inputs that are not supported
     FLOAT("iGlobalTime", TIME),
     {"iChannelTime", "float[4]", INPUT_REFUSED, 0, "there are no films or sounds here"},
     {"iSampleRate", "float", INPUT_REFUSED, 0, SOUND},
@@ -63,7 +63,7 @@ static const struct input rows[] = {
     SILENT("prevPass", SELF), SILENT("prevBuffer", SELF), SILENT("spectrum", SOUND),
     SILENT("samples", SOUND),
     {"volume", "float", INPUT_SILENT, 0, SOUND}, {"sound", "float", INPUT_SILENT, 0, SOUND},
-    SILENT("midi", MIDI), SILENT("note", MIDI), SILENT("key", "keys are not offered"),
+    SILENT("midi", MIDI), SILENT("note", MIDI), SILENT("key", "there is no keyboard here"),
     SILENT("gamepad", "there is no gamepad here"),
     // Bonzomatic
     FLOAT("fGlobalTime", TIME), VEC2("v2Resolution", SIZE), FLOAT("fFrameTime", STEP),
@@ -115,7 +115,7 @@ bool inputs_is_toys(const char *name)
     return input != NULL && (inputs_is_shadertoy(input) || input->meaning == INPUT_REFUSED);
 }
 
-// The length of the longest part that two names have in common, regardless of capital letters.
+// The length of the longest part that two names have in common, ignoring case.
 static int common_length(const char *one, const char *other)
 {
     int best = 0;
@@ -202,7 +202,7 @@ bool inputs_offers(const struct shader_source *source, const struct input *input
 
 // ---- Messages ----
 
-// The channel whose picture a token names as the first of several arguments, or -1.
+// The channel whose picture a token names as the first of several arguments; -1 if there is none.
 static int channel_of(const struct glsl_token *t)
 {
     bool may = t->kind == GLSL_WORD && !t->macro && t[-1].sign == '(' && t[1].sign == ',';
@@ -274,20 +274,21 @@ static const char *kind_of_channel(const struct shader_source *source, int chann
 bool inputs_refuse(const struct shader_source *source, const struct input *input, int line)
 {
     if (input->meaning != INPUT_CHANNEL && input->meaning != INPUT_CHANNEL_SIZE)
-        return shader_refuse(source, line, "%s is not offered: %s: compute the value in the shader",
+        return shader_refuse(source, line,
+                             "%s is not supported: %s: compute the value in the shader",
                              input->name, input->text);
     int channel = input->channel < 0 ? 0 : input->channel;
     const char *was = kind_of_channel(source, channel);
     if (was != NULL)
-        return shader_refuse(source, line, "%s is read as %s, which is not offered here",
+        return shader_refuse(source, line, "%s is read as %s, which is not supported here",
                              input->name, was);
     if (GL_IS_ES)
         return shader_refuse(source, line, "%s has no picture: this page cannot read your pictures",
                              input->name);
     return shader_refuse(
         source, line,
-        "%s has no picture: give --channel %d=FILE.png; a buffer, a film or a sound "
-        "is not offered",
+        "%s has no picture: give --channel %d=FILE.png; buffers, films and sounds are "
+        "not supported",
         input->name, channel);
 }
 

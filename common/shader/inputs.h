@@ -1,5 +1,5 @@
-// inputs.h - one table of the inputs of a shader, under the names that each tool gives them. A file
-// may declare an input as float, int, vec2, vec3 or vec4, and the input is set with that type.
+// inputs.h - a table of a shader's inputs, under the names that various tools give them. A file may
+// declare an input as float, int, vec2, vec3 or vec4, and the input is set with that type.
 #ifndef SHADER_INPUTS_H
 #define SHADER_INPUTS_H
 
@@ -10,14 +10,14 @@
 
 // The meaning of an input, with the four numbers of its value.
 enum input_meaning {
-    INPUT_SIZE,          // size of the picture, pixels: (width, height, 1, 0)
+    INPUT_SIZE,          // size of the picture in pixels: (width, height, 1, 0)
     INPUT_TIME,          // seconds
-    INPUT_STEP,          // seconds since the last picture
+    INPUT_STEP,          // seconds since the previous picture
     INPUT_RATE,          // pictures per second
     INPUT_FRAME,         // index of the picture
-    INPUT_DATE,          // (year, month from 0, day, seconds of the day)
-    INPUT_MOUSE,         // pixels, with Shadertoy's conventions for the signs
-    INPUT_POINTER,       // position of the pointer, pixels from the bottom left
+    INPUT_DATE,          // (year, month from 0, day, seconds since midnight)
+    INPUT_MOUSE,         // in pixels, with Shadertoy's conventions for the signs
+    INPUT_POINTER,       // position of the pointer, in pixels from the bottom left
     INPUT_POINTER_SHARE, // position of the pointer, as a fraction of the picture's size
     INPUT_EYE,           // position of the camera; its axes follow
     INPUT_RIGHT,
@@ -28,12 +28,12 @@ enum input_meaning {
     INPUT_ASPECT,                 // width divided by height
     INPUT_ZERO,                   // always 0
     INPUT_VALUES,                 // the number of meanings above
-    INPUT_CHANNEL = INPUT_VALUES, // a picture of --channel
+    INPUT_CHANNEL = INPUT_VALUES, // the picture of a channel
     INPUT_CHANNEL_SIZE,           // the size of such a picture; for iChannelResolution, of all four
-    INPUT_DRAW,                   // differs from draw to draw; renderer_pass.c sets it
-    INPUT_POSITION,               // the pixel's position, from the vertex shader
-    INPUT_SILENT,                 // sound, the last picture or the like: black or 0 here
-    INPUT_REFUSED                 // not offered, and every picture would be wrong without it
+    INPUT_DRAW,                   // changes with each draw; set by renderer_pass.c
+    INPUT_POSITION,               // the pixel's position, computed by the vertex shader
+    INPUT_SILENT, // sound, the previous picture or the like, which is black or 0 here
+    INPUT_REFUSED // not supported, and every picture would be wrong without it
 };
 
 struct input {
@@ -41,7 +41,7 @@ struct input {
     enum input_meaning meaning;
     int channel; // index for INPUT_CHANNEL and INPUT_CHANNEL_SIZE; -1 for all four
     // The value of an INPUT_POSITION in the vertex shader, a vec2, or the reason why an
-    // INPUT_SILENT or INPUT_REFUSED is not offered.
+    // INPUT_SILENT or INPUT_REFUSED is not supported.
     const char *text;
 };
 
@@ -65,16 +65,18 @@ const struct input *inputs_row(int index);
 bool inputs_is_course(const struct input *input);
 bool inputs_is_shadertoy(const struct input *input);
 
-// True for any name that Shadertoy declares, even if the input is not offered here.
+// True for any name that Shadertoy declares, even if the input is not supported here.
 bool inputs_is_toys(const char *name);
 
-// The input whose name is most similar to a name, for messages; never NULL.
+// The input whose name is most similar to the given name, for messages; FragCoord if none is
+// similar.
 const struct input *inputs_nearest(const char *name);
 
 // The first mention of a channel that is read as a cube map, or NULL if there is none.
 const struct glsl_token *inputs_cube_map(const struct glsl *code);
 
-// Read the components of a type. Returns true for float, int and vec2 to vec4.
+// Set the number of components from a type, and whether the type is an int. Returns true for float,
+// int and vec2 to vec4.
 bool inputs_type(const char *type, struct shader_input *into);
 
 // An input with its type from the table, not declared by the source.
@@ -83,7 +85,7 @@ struct shader_input inputs_default(const struct input *input);
 // True for an input that Shadertoy has with exactly the type that the source declares.
 bool inputs_is_own(const struct shader_input *in);
 
-// Add an input to those that a source reads, unless it is already there.
+// Add an input to those that a source reads, unless it is already among them.
 void inputs_add(struct shader_source *source, struct shader_input input);
 
 // True if a linked program of a source reads an input with a meaning from first to last. The linker
@@ -94,12 +96,12 @@ bool inputs_reads(const struct gl *gl, GLuint program, const struct shader_sourc
 // True if an input has a value here; a channel has one only if it has a picture.
 bool inputs_offers(const struct shader_source *source, const struct input *input);
 
-// Report why an input is not offered. Always returns false.
+// Report why an input is not supported. Always returns false.
 //   line  of the source's text, from 0
 bool inputs_refuse(const struct shader_source *source, const struct input *input, int line);
 
-// The lines before and after the vertex shader that compute the positions that the source reads;
-// the caller frees both.
+// Write the lines before and after the vertex shader, which compute the positions that the source
+// reads. The caller frees both texts.
 void inputs_vertex(const struct shader_source *source, char **before, char **behind);
 
 // Set the inputs of the program in use.

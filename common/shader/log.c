@@ -8,16 +8,16 @@
 #include "memory.h"
 #include "shader/glsl.h"
 
-#define NAME_SIZE   128 // bytes of a function's name in a link error, including the end
-#define LINE_LIMIT  160 // bytes that are shown of a source line
-#define ERROR_LIMIT 20  // errors that are shown, because the first ones usually cause the others
+#define NAME_SIZE   128 // bytes of a function's name in a link error, including the final '\0'
+#define LINE_LIMIT  160 // maximum number of bytes shown of a source line
+#define ERROR_LIMIT 20  // maximum number of errors shown; the first ones usually cause the others
 
 // An explanation in progress.
 struct explanation {
     const struct shader_source *source;
     int prelude; // number of lines of the prelude, before the source's text
     FILE *text;
-    int shown;       // the line of the expanded text that was shown last, or 0
+    int shown;       // the line of the expanded text that was shown last; 0 if there is none
     int errors;      // number of the log's messages so far
     bool has_errors; // the log has an error, from which its warnings would distract
 };
@@ -26,7 +26,7 @@ struct explanation {
 struct message {
     int line; // line of the compiled text, or 0 if unknown
     bool warning;
-    const char *text; // without position, "error" and "warning", but with the driver's code
+    const char *text; // without the position and the kind of message, but with the driver's code
 };
 
 static const char *skip_blanks(const char *c)

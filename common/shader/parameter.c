@@ -9,9 +9,9 @@
 #include "number.h"
 #include "report.h"
 
-#define TEXT_SIZE 160 // bytes of a value or a range as text
+#define TEXT_SIZE 160 // size of a value or a range as text, in bytes
 
-enum { COLUMNS = 6 }; // most columns of a table
+enum { COLUMNS = 6 }; // maximum number of columns of a table
 
 void parameters_free(struct parameters *parameters)
 {
@@ -104,7 +104,7 @@ static const char *sampler_name(const void *samplers, int i)
     return ((const struct samplers *)samplers)->item[i].name;
 }
 
-// Report an assignment to an unknown name, with the known names, and free these. Always returns
+// Report an assignment to an unknown name, list the known names, and free the list. Always returns
 // false.
 static bool report_unknown(const char *option, const char *assignment, const char *what, int count,
                            char *names)
@@ -180,7 +180,7 @@ static double changed(const struct parameter *parameter, double value, int press
                                         : value + parameter->step * presses;
     if (parameter->type == PARAMETER_INT) {
         next = round(next);
-        // Even a small factor must change a small number.
+        // Even a small factor must change a small integer.
         if (next == value && presses != 0)
             next += presses > 0 ? 1.0 : -1.0;
     } else
@@ -251,8 +251,8 @@ bool samplers_fit(const struct samplers *samplers, const struct shader_source *s
     bool course = source->dialect == DIALECT_COURSE;
     for (int i = 0; i < request->texture_count; i++) {
         if (!course)
-            return report("--texture %s: the shader is not in the course's dialect: --channel "
-                          "N=FILE.png sets iChannelN",
+            return report("--texture %s: the shader is not in the course's dialect: use "
+                          "--channel N=FILE.png to set iChannelN",
                           request->textures[i]);
         if (!knows(samplers, request->textures[i]))
             return false;
@@ -261,8 +261,8 @@ bool samplers_fit(const struct samplers *samplers, const struct shader_source *s
         char name[] = "iChannel0";
         name[sizeof name - 2] = (char)('0' + i);
         if (request->channels[i] != NULL && course)
-            return report("--channel %d=%s: the shader is in the course's dialect: --texture "
-                          "NAME=FILE.png is for its samplers",
+            return report("--channel %d=%s: the shader is in the course's dialect: use "
+                          "--texture NAME=FILE.png for its samplers",
                           i, request->channels[i]);
         if (request->channels[i] != NULL && glsl_mentions(&source->code, name) == 0)
             return report("--channel %d=%s: the shader does not mention %s", i,
@@ -296,7 +296,7 @@ static int width_of(const char *text)
     return width;
 }
 
-// Print rows of cells, each column as wide as its widest cell, and free them.
+// Print rows of cells, each column as wide as its widest cell, and free the cells.
 //   cell  the titles, then one row for each parameter or sampler
 static void print_table(FILE *file, int columns, int rows, char *cell[])
 {

@@ -1,4 +1,4 @@
-// parameter.h - the annotated uniforms of a shader: declared once, in the shader that uses them.
+// parameter.h - the annotated uniforms of a shader. Each is declared in the shader that uses it.
 //
 //   uniform float sunElevation; // 40 in [-90, 90] step 1, degrees: height of the sun
 //   uniform int   maxSteps;     // 128 in [1, 512]: steps after which a ray is abandoned
@@ -8,8 +8,8 @@
 //
 // A comment that begins with a value declares a parameter. It has one or several values, then "in
 // [min, max]" (required for numbers, not allowed for a bool), optionally "step s" or "step *s"
-// (each key press adds or multiplies), optionally ", unit", and ": meaning". Any other comment
-// declares nothing.
+// (each key press adds s, or multiplies by s), optionally ", unit", and ": meaning". Any other
+// comment declares nothing.
 //
 // A comment begins with a value if its first word is a decimal number, true or false, and is
 // followed by a blank, a comma, a colon or the end of the line: "2 times the radius" does and is
@@ -23,11 +23,12 @@
 //   uniform vec2 aim;  // (0.6, 0.1) handle scene units: where the ray points
 //   uniform vec3 lamp; // 1, 2, 0 in [-5, 5] step 0.1, handle xz scene units: the lamp
 //
-// The values may be in parentheses. A handle without a range gets [-10, 10]. A vec2 lies in the
-// plane z = 0 or, after "xz", in the plane y = 0. A vec3 moves parallel to the screen or, after
-// "xy" or "xz", keeps the coordinate that is not named.
+// The values may be in parentheses. Without a range, a handle has the range [-10, 10]. A vec2 lies
+// in the plane z = 0 or, after "xz", in the plane y = 0. A vec3 moves parallel to the screen or,
+// after "xy" or "xz", keeps the coordinate that is not named.
 //
-// If one unit is "hour of the day" and another "hours per second", the panel shows the hour.
+// If one unit is "hour of the day" and another "hours per second", the panel shows the hour of the
+// day.
 //
 // A texture is declared in the same way:
 //
@@ -42,7 +43,7 @@
 // of slices; and a meaning.
 //
 // In the course's dialect, every sampler needs such a comment, unless the preprocessor certainly
-// skips the sampler. In the other dialects, samplers are the channels.
+// skips the sampler. In the other dialects, the only samplers are the channels.
 #ifndef PARAMETER_H
 #define PARAMETER_H
 
@@ -52,13 +53,13 @@
 
 #include "shader/source.h"
 
-#define SAMPLER_SLICES 2048 // most slices of a volume
+#define SAMPLER_SLICES 2048 // maximum number of slices of a volume
 
 struct sampler {
     char name[64];
     int file;          // index of the picture among the files of the source
     int line;          // line of the text that declares the sampler, from 0; -1 for a channel
-    bool srgb, repeat; // otherwise linear, and clamp
+    bool srgb, repeat; // if false: linear, clamp
     int slices;        // number of slices of a volume; 0 for a picture
     char meaning[200];
 };
@@ -80,7 +81,7 @@ struct parameter {
     double value[4];         // the current value; a bool is 0 or 1
     double initial[4];       // the value in the shader's comment
     double minimum, maximum; // range of each component; 0 and 1 for a bool
-    double step;             // change per key press: a summand, or a factor if multiplies is set
+    double step; // change per key press: a factor if multiplies is set, otherwise an increment
     bool multiplies;
     enum parameter_handle handle;
     char unit[48]; // "" if there is none
@@ -99,12 +100,12 @@ struct parameters {
 // Returns false after reporting the error with file and line. Errors of a comment that begins with
 // a value are: no range, a value outside the range, a wrong number of values, an unknown type, no
 // meaning. Errors of a sampler are: no comment as above, a malformed comment, a type other than
-// sampler2D and sampler3D, a declaration in a structure or a macro, a missing file. A name that is
-// declared twice is an error of either. Free with parameters_free.
+// sampler2D and sampler3D, a declaration in a structure or a macro, a missing file. Declaring a
+// name twice is an error in both cases. Free with parameters_free.
 bool parameters_read(struct parameters *parameters, struct shader_source *source);
 
 // True if the declaration of a uniform has a well-formed comment that makes it a parameter.
-//   name  the uniform's name, among the statements
+//   name  the token of the uniform's name in source->code.statement
 bool parameter_declared(const struct shader_source *source, const struct glsl_token *name);
 
 void parameters_free(struct parameters *parameters);
@@ -112,10 +113,10 @@ void parameters_free(struct parameters *parameters);
 // The parameter with a name, or NULL if there is none.
 struct parameter *parameters_find(const struct parameters *parameters, const char *name);
 
-// Carry out NAME=VALUE. A vector takes comma-separated values; a bool takes true, false, 1 or 0.
-// Returns false after reporting the error: the name is unknown (the message lists the known names),
-// a value is not a finite number, the number of values is wrong, or a value is out of range (the
-// message gives the range).
+// Carry out an assignment, NAME=VALUE. A vector takes comma-separated values; a bool takes true,
+// false, 1 or 0. Returns false after reporting the error: the name is unknown (the message lists
+// the known names), a value is not a finite number, the number of values is wrong, or a value is
+// out of range (the message gives the range).
 bool parameters_assign(const struct parameters *parameters, const char *assignment);
 
 // Keep values across a reload: copy each old value to the new parameter of the same name, type and
@@ -123,17 +124,19 @@ bool parameters_assign(const struct parameters *parameters, const char *assignme
 // takes the new value, because its author wants to see it.
 void parameters_keep(const struct parameters *new_ones, const struct parameters *old_ones);
 
-// Change every component by a number of key presses, stopping at the ends of the range; a bool
-// toggles.
+// Change every component by a number of steps, one for each key press, stopping at the ends of the
+// range; negative numbers go down. A bool toggles.
 void parameter_change(struct parameter *parameter, int presses);
 
-// The position of a component in its range, 0 to 1; on a logarithmic scale if the step multiplies.
-//   part  0 to components - 1
+// The position of a component in its range, from 0 to 1; on a logarithmic scale if the step
+// multiplies.
+//   part  index of the component
 double parameter_fraction(const struct parameter *parameter, int part);
 
 // The inverse of parameter_fraction: set a component from a position, which is clamped to [0, 1].
-// The value is rounded to about a thousandth of the range, or to three significant digits if the
-// step multiplies; an int is rounded to a whole number, and a bool to 0 or 1.
+// The value is rounded to a power of ten that is at most a thousandth of the range, or to three
+// significant digits if the step multiplies; an int is rounded to a whole number, and a bool to 0
+// or 1.
 void parameter_put(struct parameter *parameter, int part, double fraction);
 
 // True for a parameter with three components whose unit is "linear RGB".

@@ -122,7 +122,7 @@ const char *passes_read(struct passes *passes, const char *text)
     if (passes->common == NULL)
         passes->common = memory_text("%s", "");
     return passes->image != NULL ? NULL
-           : row == NULL         ? "JSON, but not an export from Shadertoy: a shader is code"
+           : row == NULL         ? "JSON, but not an export from Shadertoy: a shader is GLSL code"
                                  : "an export from Shadertoy without an image pass";
 }
 

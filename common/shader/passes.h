@@ -9,10 +9,10 @@ struct passes {
     char was[4][24];      // what the image pass reads in each channel: "texture", "buffer", ...
 };
 
-// True for a text that is JSON, which a shader never is.
+// True for a text that begins like JSON, as no shader does.
 bool passes_are(const char *text);
 
-// Read the passes. Returns NULL, or one phrase that says why there is no image pass. Free with
+// Read the passes. Returns NULL, or a phrase that says why there is no image pass. Free with
 // passes_free in either case.
 const char *passes_read(struct passes *passes, const char *text);
 

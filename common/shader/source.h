@@ -29,7 +29,7 @@ struct shader_request {
     // May be NULL.
     void (*visit)(void *to, const char *path);
     void *to;                    // passed to visit
-    const char *const *textures; // NAME=FILE: other pictures for samplers in the course's dialect
+    const char *const *textures; // NAME=FILE, where FILE replaces the picture of the sampler NAME
     int texture_count;
     // Four files for Shadertoy's iChannel0 to 3, each NULL if it is not given; NULL if none is
     // given.
@@ -46,8 +46,8 @@ struct shader_source {
     char *prelude, *body;        // for the driver; NULL in the course's dialect
     struct shader_input *inputs; // the inputs that the text reads
     int input_count;
-    char *unset;     // one line about the first uniform or block that nothing sets, or NULL
-    char was[4][24]; // what the author's tool had in each channel, in Shadertoy's words
+    char *unset;     // about the first uniform or block that nothing sets; NULL if there is none
+    char was[4][24]; // what each channel contains in the author's tool, in Shadertoy's words
     int channel[4];  // indices of the files that the text names for its channels; 0 for no file
     char **files;    // the names to print, with '?' for control characters; files[0] is the shader
     char **paths;    // the resolved paths of these files, to watch for changes
@@ -57,32 +57,33 @@ struct shader_source {
 };
 
 // Read a shader and expand its includes.
-//   path     the file, or an export from Shadertoy, whose passes are read; the file is read as
-//            text_file_read describes
+//   path     the shader's file, or an export from Shadertoy, whose passes are read; the file is
+//            read as text_file_read describes
 //   root     the project's folder; an include is looked for next to the including file, then in
 //            root/shaders, then in root/chapters, but never outside root and path's own folder;
 //            each file is included once, and the line of an include stays as a comment
 //   request  the options; may be NULL
 // Two directives of Shader Toy, an extension of VS Code, are understood: #iUniform becomes an
-// annotated uniform, and #iChannel0 names a picture next to its file, or tells what the author's
-// tool had in the channel.
+// annotated uniform, and #iChannel0 names a picture next to its file, or tells what the channel
+// contains in the author's tool.
 // Returns false after reporting the error in one line with file and line. Errors are: a file that
 // is missing, unreadable, empty, binary (has a zero byte) or larger than 1 MiB, or than 8 MiB with
-// its includes; an include that is malformed, is missing, includes itself or leaves these folders;
-// a missing picture; a #version that does not come first; and a comment that is never closed. Free
-// with shader_free.
+// its includes; an include that is malformed, is missing, includes itself or is outside these
+// folders; a missing picture; a #version that does not come first; and a comment that is never
+// closed. Free with shader_free.
 bool shader_expand(struct shader_source *source, const char *path, const char *root,
                    const struct shader_request *request);
 
-// Find a picture that a shader names, and add it to the source's files.
-//   from  index of the file that names the picture, which is looked for next to that file, then in
-//         root/shaders/textures, but never outside root and the first file's own folder
-//   why   receives one phrase on failure
+// Find a picture that a shader names, and add it to the source's files. The picture is looked for
+// next to the file that names it, then in root/shaders/textures, but never outside root and the
+// first file's own folder.
+//   from  index of the file that names the picture
+//   why   receives the reason on failure, as a phrase
 // Returns the picture's index among the files, or -1 without reporting an error.
 int shader_find_texture(struct shader_source *source, int from, const char *name,
                         char why[TEXT_FILE_WHY]);
 
-// Do the same for a picture that is named on the command line, which may be in any folder.
+// Do the same for a picture that is named on the command line and may be in any folder.
 int shader_take_texture(struct shader_source *source, const char *path, char why[TEXT_FILE_WHY]);
 
 // Free a source. A source of zeros is allowed.

@@ -19,7 +19,7 @@ FILE *text_file_open(const char *path, char why[TEXT_FILE_WHY])
     return file;
 }
 
-// Drop the byte-order mark, make every line end '\n', and end the last line.
+// Drop the byte-order mark, make every line end '\n', and terminate the last line.
 static void tidy(char *text)
 {
     const char *from = strncmp(text, "\xEF\xBB\xBF", 3) == 0 ? text + 3 : text;
@@ -42,7 +42,8 @@ char *text_file_read(const char *path, char why[TEXT_FILE_WHY])
     FILE *file = text_file_open(path, why);
     if (file == NULL)
         return NULL;
-    // Read one byte more than the limit, because a file in /proc does not report its size.
+    // Read one byte more than the limit to recognise larger files, because a file in /proc does not
+    // report its size.
     char *text = memory_zeros(TEXT_FILE_LIMIT + 8, 1);
     size_t size = fread(text, 1, TEXT_FILE_LIMIT + 1, file);
     bool failed = ferror(file) != 0, binary = strlen(text) != size;
@@ -57,7 +58,7 @@ char *text_file_read(const char *path, char why[TEXT_FILE_WHY])
     if (!failed)
         snprintf(why, TEXT_FILE_WHY, "%s",
                  size > TEXT_FILE_LIMIT ? "larger than 1 MiB: is it a shader?"
-                 : binary               ? "contains a zero byte: a shader is text, in UTF-8"
+                 : binary               ? "contains a zero byte: a shader is UTF-8 text"
                                         : "empty");
     return NULL;
 }

@@ -9,8 +9,8 @@
 #include "shader/inputs.h"
 #include "shader/translation.h"
 
-// toy_behind follows the author's text, whose macros also apply to it, so toy_behind uses few
-// words.
+// toy_behind follows the author's text. Macros of that text also apply to toy_behind, so it uses
+// few words.
 static const char toy_front[] =
     "out vec4 harnessColour;\n"
     "vec4 harnessOwn = vec4(0.0);\n"

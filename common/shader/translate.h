@@ -3,10 +3,11 @@
 //
 // Declarations outside functions are checked and rewritten. An input becomes a uniform or, if it is
 // a position, an input from the vertex shader; a uniform with a value that is not a parameter
-// becomes a variable; locations and interpolation are removed. gl_FragColor, texture2D, varying and
-// other words of old versions get their current names. Precisions become highp, because WebGL links
-// an input only if its precision is that of the vertex shader. gl_FragCoord becomes the position in
-// the whole picture, because the renderer draws parts and samples. Lines keep their numbers.
+// becomes a variable; location and interpolation qualifiers are removed. gl_FragColor, texture2D,
+// varying and other words of old versions get their current names. Precisions become highp, because
+// WebGL links an input only if its precision is that of the vertex shader. gl_FragCoord becomes the
+// position in the whole picture, because the renderer draws parts and samples. Lines keep their
+// numbers.
 #ifndef SHADER_TRANSLATE_H
 #define SHADER_TRANSLATE_H
 
@@ -18,27 +19,27 @@ enum translate_target { TRANSLATE_DRIVER, TRANSLATE_SHADERTOY };
 // Translate a source and gather its inputs.
 //   prelude  receives the lines before the text; for Shadertoy, the inputs that it lacks, or NULL
 //            if the file's own mainImage can be called
-//   body     receives the text; the caller frees both
-// Returns false after reporting the error with file and line. Errors are: an unknown input; an
-// input or a uniform of a type that cannot be set; a texture that is read but has no picture; an
-// output that is not a colour, or several outputs of which none is at location 0; and, for
-// Shadertoy, anything else that WebGL lacks.
+//   body     receives the text
+// The caller frees prelude and body. Returns false after reporting the error with file and line.
+// Errors are: an unknown input; an input or a uniform of a type that cannot be set; a texture that
+// is read but has no picture; an output that is not a colour, or several outputs of which none is
+// at location 0; and, for Shadertoy, anything else that WebGL lacks.
 bool translate(struct shader_source *source, enum translate_target target, char **prelude,
                char **body);
 
-// Make variables without a value begin as 0, as in browsers: "float d, t = 1.0;" becomes "float
-// d=float(0), t = 1.0;". Arrays and structures get zeros too, if their parts can be counted and are
-// not too many. A declaration stays as it is if an #if divides it, or if its type, name or size is
-// a macro. The outputs of a whole file get zeros at the beginning of main, unless the text mentions
-// main more than once.
+// Initialise variables that have no value to 0, as browsers do: "float d, t = 1.0;" becomes "float
+// d=float(0), t = 1.0;". Arrays and structures are initialised too, if their parts can be counted
+// and are not too many. A declaration is left unchanged if a directive divides it, or if its type,
+// name or size is a macro. The outputs of a whole shader are set to 0 at the beginning of main,
+// unless the text mentions main more than once.
 //   old  the output is harnessColour, which replaces gl_FragColor or gl_FragData
 void translate_zeros(const struct glsl *code, struct edits *edits, bool old);
 
-// Give integers beside floats a decimal point, because desktop GLSL converts them and WebGL does
-// not: "x < 0 ? -1 : 1" becomes "x < 0. ? -1. : 1.". A number beside an int, in an index, or in the
-// arguments of a function that takes an int stays as it is. Types are guessed from the names that
-// the text declares, so this is used only for a text that a driver has refused. Returns memory that
-// the caller frees.
+// Add a decimal point to integers in expressions with floats, because desktop GLSL converts them
+// and WebGL does not: "x < 0 ? -1 : 1" becomes "x < 0. ? -1. : 1.". A number in an expression with
+// an int, in an index, or in the arguments of a function that takes an int is left unchanged. Types
+// are guessed from the names that the text declares, so this function is used only for a text that
+// a driver has refused. Returns memory that the caller frees.
 char *translate_floats(const char *text);
 
 #endif

@@ -51,12 +51,12 @@ static bool take_sampler(struct translation *t, struct declared *at, const struc
         t->mark[at->name->name] |= MARK_LINE;
     if (used && glsl_is(at->type, "samplerCube"))
         return shader_refuse(t->source, line,
-                             "%s: cube maps are not offered: a picture is a sampler2D", at->word);
+                             "%s: cube maps are not supported: a picture is a sampler2D", at->word);
     if (used && channel && (!glsl_is(at->type, "sampler2D") || declared_is_array(at)))
         return refuse_type(t, at, input);
     if (used && !channel && (input == NULL || input->meaning != INPUT_SILENT))
         return shader_refuse(t->source, line,
-                             "%s has no picture: name it iChannel0, a sampler2D, and give "
+                             "%s has no picture: declare it as sampler2D iChannel0, and give "
                              "--channel 0=FILE.png",
                              at->word);
     if (used && (channel ? !inputs_offers(t->source, input) : t->exported))
@@ -69,7 +69,7 @@ static bool take_sampler(struct translation *t, struct declared *at, const struc
     return true;
 }
 
-// Accept an image to which a shader writes. Desktop drivers offer such images; WebGL does not.
+// Accept an image to which a shader writes. Desktop drivers support such images; WebGL does not.
 static bool take_image(struct translation *t, struct declared *at)
 {
     if (!t->web)
@@ -102,7 +102,7 @@ static bool take_position(struct translation *t, struct declared *at, const stru
     else if (is_used(at))
         return shader_refuse(t->source, at->name->line,
                              "in %s %s: there is no such input; the nearest is %s: "
-                             "docs/using.md lists all",
+                             "docs/using.md lists all inputs",
                              at->type->text, at->word, inputs_nearest(at->word)->name);
     return store(t, at, "in");
 }
@@ -162,8 +162,8 @@ static bool take_block(struct translation *t, const struct declared *at)
     const struct glsl_token *end = glsl_partner(t->code, at->end), *name = end + 1;
     char value[128];
     if (name->kind != GLSL_WORD)
-        return shader_refuse(t->source, at->name->line, "in %s { }: give the block a name after it",
-                             at->word);
+        return shader_refuse(t->source, at->name->line,
+                             "in %s { }: name the block after its closing brace", at->word);
     edits_replace(&t->edits, at->type - 1, "struct");
     edits_add(&t->edits, name->begin, 0, "; %s ", at->word);
     for (const struct glsl_token *m = at->end + 1; m < end; m++) {
@@ -200,8 +200,8 @@ static bool open_block(struct translation *t, const struct declared *at)
     return true;
 }
 
-// Take an output for Shadertoy. If an #if chooses one of several outputs, a function is added for
-// each of them, always with the same name.
+// Turn an output into a variable for Shadertoy. If an #if selects one of several outputs, add a
+// function for each of them, always with the same name.
 static void export_output(struct translation *t, struct declared *at, bool certain)
 {
     const struct glsl_token *end = glsl_skip(t->code, at->end, ";");
@@ -247,7 +247,7 @@ static bool check_outputs(struct translation *t, const struct outputs *outputs)
     if (outputs->count > 1 && !outputs->placed)
         return shader_refuse(t->source, second->name->line,
                              "out %s %s: a second output: write layout(location = 0) before the "
-                             "one that is the picture",
+                             "output that is the picture",
                              second->type->text, second->word);
     return outputs->count == 0 || shown->type->macro || glsl_is_any(shown->type, colours) ||
            shader_refuse(t->source, shown->name->line,

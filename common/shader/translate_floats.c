@@ -9,11 +9,11 @@
 struct floats {
     const struct glsl *code;
     struct edits edits;
-    bool *whole; // for each name: an int, a vector of ints, or a function that returns either
-    bool *takes; // for each name: a function that takes an int or a vector of ints
+    bool *whole; // for each name: true for an int, an int vector, or a function that returns either
+    bool *takes; // for each name: true for a function that takes an int or an int vector
 };
 
-// True for a type whose base, as glsl_type returns it, is one of these.
+// True for a type whose base, as glsl_type returns it, is among the given letters.
 static bool is_type(const struct glsl_token *t, const char *bases)
 {
     char base;
@@ -45,7 +45,8 @@ static void learn(struct floats *f)
     }
 }
 
-// Give each integer from one token up to another a decimal point.
+// Add a decimal point to each integer from one token up to another, outside the brackets between
+// them.
 static void add_points(struct floats *f, const struct glsl_token *from, const struct glsl_token *to)
 {
     for (const struct glsl_token *t = from; t < to; t = glsl_next(f->code, t)) {
@@ -54,7 +55,7 @@ static void add_points(struct floats *f, const struct glsl_token *from, const st
     }
 }
 
-// True for a statement that declares, sets or returns an integer.
+// True for a statement that declares, sets or returns an integer, and for a case label.
 static bool is_whole_statement(const struct floats *f, const struct glsl_token *t, bool returns)
 {
     bool whole = glsl_is(t, "case") || (returns && glsl_is(t, "return"));

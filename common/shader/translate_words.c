@@ -46,8 +46,8 @@ static bool is_targeted(const struct translation *t, int when)
     return (when & target) != 0 && (t->wraps || !(when & WRAPPED)) && (t->old || !(when & OLD));
 }
 
-// The current name of a texture function of an old version, such as textureLod for texture2DLodEXT,
-// or NULL for any other word. The caller frees the name.
+// The current name of a texture function from an old version of GLSL, such as textureLod for
+// texture2DLodEXT, or NULL for any other word. The caller frees the name.
 static char *new_texture(const char *word)
 {
     static const char *const kinds[] = {"texture1D", "texture2DRect", "texture2D", "texture3D",
@@ -72,7 +72,8 @@ static bool is_line_lookup(const struct translation *t, const struct glsl_token 
     return bracket->sign == '(' && name->kind == GLSL_WORD && (t->mark[name->name] & MARK_LINE);
 }
 
-// The name of a word in the target, or NULL if the word stays. The caller frees the name.
+// The new name of a word in the target, or NULL if the word is left unchanged. The caller frees the
+// name.
 static char *new_name(const struct translation *t, const struct glsl_token *token)
 {
     const char *word = token->text;
@@ -109,7 +110,8 @@ static void take_word(struct translation *t, const struct glsl_token *token)
         edits_cut(&t->edits, token + 1, token + 3);
     if (macro || !t->toy || t->exported || !token->live || !glsl_is(token, "mainImage"))
         return;
-    const struct glsl_token *word = glsl_code(token + 1); // becomes inout: the colour begins at 0
+    // Turn out into inout, because the colour begins at 0.
+    const struct glsl_token *word = glsl_code(token + 1);
     word = word->sign == '(' ? glsl_code(word + 1) : word;
     if (glsl_is(word, "out"))
         edits_add(&t->edits, word->begin, 0, "in");
@@ -191,7 +193,7 @@ static void take_directive(struct translation *t, const struct glsl_token *hash)
                 code->text + hash->begin);
 }
 
-// Remove the suffix lf of a double.
+// For WebGL, remove the suffix lf of a double.
 static void take_number(struct translation *t, const struct glsl_token *token)
 {
     const char *end = token->text + token->length;
@@ -229,7 +231,7 @@ static void learn_macros(const struct translation *t, bool waits[])
     }
 }
 
-// True if a value can only be set in main.
+// True if a variable's initial value is not constant and must be set in main.
 static bool must_wait(const struct translation *t, const struct declared *at, const bool waits[])
 {
     const struct glsl_token *v = at->value + 1;
@@ -268,7 +270,7 @@ static void move_values(struct translation *t)
     free(waits);
 }
 
-// Remove semicolons after functions, which WebGL refuses.
+// Remove semicolons after function bodies, because WebGL refuses them.
 static void take_semicolons(struct translation *t)
 {
     for (const struct glsl_token *end = t->code->statement; end->kind != GLSL_END; end++) {

@@ -6,9 +6,9 @@
 
 #include "memory.h"
 
-#define SIZE_LIMIT (256 * 1024) // inserted bytes; above this, arrays and structures get no zeros
+#define SIZE_LIMIT (256 * 1024) // bytes; once more are inserted, arrays and structures get no zeros
 
-enum { VALUE_SIZE = 4096 }; // bytes of a value, including its end
+enum { VALUE_SIZE = 4096 }; // bytes of a value, including the final '\0'
 
 struct zeros {
     const struct glsl *code;
@@ -22,7 +22,7 @@ static bool is_plain(const struct glsl_token *t)
 }
 
 // Write the zero of a type: "float(0)", or the zero of a structure, or, for an array,
-// "float[2](float(0),float(0))". Returns false if there is none.
+// "float[2](float(0),float(0))". Returns false if the type has none.
 //   size  the token after the name, which may be a bracket
 static bool zero_of(const struct zeros *all, const struct glsl_token *type,
                     const struct glsl_token *size, char text[VALUE_SIZE])
@@ -50,8 +50,8 @@ static bool zero_of(const struct zeros *all, const struct glsl_token *type,
     return true;
 }
 
-// Find the zero of a structure. A structure has a zero only if its members consist of types, names
-// and sizes.
+// Find the zero of a structure. A structure has a zero only if the declarations of its members
+// consist of types, names and sizes.
 static void learn(struct zeros *all, const struct glsl_token *name)
 {
     const struct glsl *code = all->code;
@@ -71,7 +71,7 @@ static void learn(struct zeros *all, const struct glsl_token *name)
                      : 0;
         type = after->sign == ',' ? type : NULL;
     }
-    free(all->structure[name->name]); // of two structures with one name, neither gets a zero
+    free(all->structure[name->name]); // if two structures have the same name, neither gets a zero
     all->structure[name->name] = done ? memory_text("%s)", value) : NULL;
 }
 

@@ -1,4 +1,4 @@
-// translation.h - a translation in progress, which translate.c and its parts share.
+// translation.h - a translation in progress, shared by translate.c and its parts.
 #ifndef SHADER_TRANSLATION_H
 #define SHADER_TRANSLATION_H
 
@@ -10,7 +10,7 @@
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
 enum {
-    MARK_OWN = 1, // the target gives this name another meaning: it gets the prefix own_
+    MARK_OWN = 1, // the name has another meaning in the target, and gets the prefix own_
     MARK_LINE = 2 // the name of a sampler1D
 };
 
@@ -24,7 +24,7 @@ struct translation {
     bool old;            // gl_FragColor or gl_FragData is the output
     bool wraps;          // Shadertoy gets a new mainImage that calls the file's main or mainImage
     bool blocks;         // there is a block of inputs
-    unsigned char *mark; // for each name: the sum of MARK_OWN and MARK_LINE, if they apply
+    unsigned char *mark; // for each name: MARK_OWN, MARK_LINE, their sum or 0
     FILE *inputs;        // declarations of the inputs that the text reads but does not declare
     FILE *begin;         // statements at the beginning of main
     FILE *extensions;
@@ -37,8 +37,8 @@ bool translation_declarations(struct translation *t);
 // Declare the inputs that the text reads but does not declare.
 void translation_undeclared(struct translation *t);
 
-// Rename words and remove directives and suffixes that the target lacks. For WebGL, the values of
-// global variables that are not constant move to the beginning of main.
+// Rename words and remove directives and suffixes that the target lacks. For WebGL, initial values
+// of global variables that are not constant expressions move to the beginning of main.
 void translation_words(struct translation *t);
 
 #endif

@@ -54,7 +54,8 @@ static void select_next(struct window *window, int by)
         return;
     while (comparison_parameter(renderer, index) != parameter)
         index++;
-    // The selection moves by one row even with Shift, because ten rows at once would confuse.
+    // The selection moves by one row even with Shift, because a jump of ten rows would be
+    // confusing.
     window_select(window,
                   comparison_parameter(renderer, (index + (by > 0 ? 1 : count - 1)) % count));
 }
@@ -105,8 +106,9 @@ static bool goes_on(const struct window *window, int by)
            to >= first && to <= probe_rows(window->ray.probe);
 }
 
-// Ask for a lecture's next or previous scene. Holding the key does not repeat this. Presses that
-// pile up while a scene is compiled count once; otherwise an impatient speaker would skip scenes.
+// Ask for a lecture's next or previous scene. Holding the key does not repeat the request. Presses
+// that pile up while a scene is compiled count once; otherwise an impatient speaker would skip
+// scenes.
 static void change_scene(struct window *window, int by)
 {
     if (window->start->caption != NULL)
@@ -131,9 +133,9 @@ static void step_by_page(struct window *window, int by)
 
 static const struct {
     void (*act)(struct window *window);                // called unless it is NULL
-    void (*change)(struct window *window, int amount); // called otherwise
+    void (*change)(struct window *window, int amount); // called if act is NULL
     int key;
-    int amount, shifted; // the argument without and with Shift
+    int amount, shifted; // the argument of change without and with Shift
     bool repeats;
 } bindings[] = {
     {.key = GLFW_KEY_BACKSPACE, .act = quit},
@@ -232,8 +234,8 @@ static void act(struct window *window, struct window_event *event)
     }
 }
 
-// The events are handled in order: after Shift+R has reset the camera, a drag in the same turn
-// turns the camera again.
+// The events are handled in order: after Shift+R has reset the camera, a later drag in the same
+// iteration turns the camera again.
 void window_act(struct window *window)
 {
     struct window_input *input = &window->input;

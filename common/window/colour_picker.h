@@ -4,15 +4,15 @@
 
 #include "window/state.h"
 
-// Open the picker for the selected colour, and close it.
+// Open the picker for the selected colour, or close the picker.
 void window_picker_open(struct window *window);
 void window_picker_close(struct window *window);
 
 // True if the open picker covers a position, in units of the overlay.
 bool window_picker_covers(const struct window *window, const float unit[2]);
 
-// True if a press belongs to the open picker. A press beside the picker closes it. Such a press has
-// no other effect, unless it is on a row of the panel and not on the colour's own swatch.
+// True if a press belongs to the open picker. A press outside the picker closes the picker, and has
+// no other effect unless it is on a row of the panel and not on the colour's own swatch.
 bool window_picker_claims(struct window *window, const struct window_event *press);
 
 // Handle a press on the picker and the drag that follows it.

@@ -18,9 +18,9 @@
 // The time for which the picture must be at rest before it is sharpened. It is longer than the time
 // between two repeats of a held key.
 #define REST_SECONDS 0.3
-#define BAND_SECONDS 0.05 // of sharpening between two checks of the input
+#define BAND_SECONDS 0.05 // spent on sharpening between two checks of the input
 
-// True if nothing has moved for a while, so that the rate of earlier frames means nothing.
+// True if nothing has moved for a while, so that the rate of earlier frames is meaningless.
 static bool rests(const struct window *window)
 {
     return !window->moved && glfwGetTime() >= window->sharpening.due;
@@ -213,7 +213,8 @@ static bool sharpen(struct window *window)
     return true;
 }
 
-// Enlarge the picture to the window. If the picture is smaller, measure how long this takes.
+// Enlarge the picture to the window. If the picture is smaller than the window, measure how long
+// this takes.
 static bool show_enlarged(struct window *window)
 {
     struct renderer *renderer = window->renderer;

@@ -4,7 +4,7 @@
 
 #include "window/state.h"
 
-// Open the field for the value that the last press grabbed, and close it.
+// Open the field for the value that the last press grabbed, or close the field.
 void window_field_open(struct window *window);
 void window_field_close(struct window *window);
 

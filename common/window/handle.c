@@ -5,8 +5,8 @@
 #include "picture/pen.h"
 #include "window/selection.h"
 
-#define REACH 14.0 // units of the overlay: a press this close to a handle grabs it
-#define NUDGE 0.01 // step of a handle for an arrow key, as a fraction of the picture's height
+#define REACH 14.0 // distance in units of the overlay within which a press grabs a handle
+#define NUDGE 0.01 // movement of a handle per key press, as a fraction of the picture's height
 
 static bool are_shown(const struct window *window)
 {

@@ -23,9 +23,9 @@ void window_next_handle(struct window *window);
 // is focused, or handles are not shown.
 bool window_nudge_handle(struct window *window, int right, int up);
 
-// Find where the handles are, and move the one that is dragged or nudged. Call this at most once
-// per iteration of the main loop, before the picture is drawn. Returns false after reporting the
-// error.
+// Find the positions of the handles, and move the one that is dragged or nudged. Call this at most
+// once per iteration of the main loop, before the picture is drawn. Returns false after reporting
+// the error.
 bool window_place_handles(struct window *window);
 
 // Add the handles to the overlay's frame.

@@ -4,12 +4,12 @@
 #include <stddef.h>
 #include <string.h>
 
-#define LONGEST_STEP 0.1 // seconds: even a slow frame moves the camera by no more than this
+#define LONGEST_STEP 0.1 // maximum seconds of movement per step, even if a frame is slow
 #define FASTER       4.0 // factor of the speed while Left Shift or F is held
 #define DRAG_BEGINS  3.0 // window units that the pointer may move during a click
-#define DOUBLE       0.4 // seconds at most between the two presses of a double click
+#define DOUBLE       0.4 // maximum time between the two presses of a double click, in seconds
 
-// GLFW names positions by the American keyboard: GLFW_KEY_W is the key labelled Z on a French one.
+// GLFW names keys after an American keyboard: GLFW_KEY_W is the key labelled Z on a French one.
 static const int held_keys[HELD_KEYS] = {
     [HELD_LEFT] = GLFW_KEY_A,
     [HELD_RIGHT] = GLFW_KEY_D,
@@ -169,10 +169,11 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
     bool right = button == GLFW_MOUSE_BUTTON_RIGHT, pressed = action == GLFW_PRESS;
     if ((button != GLFW_MOUSE_BUTTON_LEFT && !right) || input->captured)
         return;
-    // While one button is held, another one is ignored.
+    // While one button is held, the other one is ignored.
     if (pressed ? input->state != BUTTON_UP : input->button != right)
         return;
-    // Ask only if no event has given the position, because the pointer may have moved on by now.
+    // Ask for the position only if no event has given it, because the pointer may have moved on by
+    // now.
     if (!input->inside)
         glfwGetCursorPos(window, &input->position[0], &input->position[1]);
     input->inside = true;

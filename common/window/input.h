@@ -1,4 +1,4 @@
-// input.h - keyboard and pointer: gathers GLFW's events between two frames, in their order.
+// input.h - keyboard and pointer: gathers GLFW's events between two frames, in order.
 #ifndef WINDOW_INPUT_H
 #define WINDOW_INPUT_H
 
@@ -7,23 +7,23 @@
 #define GLFW_INCLUDE_NONE // OpenGL's names come from gl.h
 #include <GLFW/glfw3.h>
 
-#define WINDOW_INPUT_EVENTS 64 // events kept between two frames; further events are dropped
+#define WINDOW_INPUT_EVENTS 64 // maximum between two frames; further events are dropped
 
 enum window_event_kind {
-    EVENT_KEY,          // amount: GLFW's key; shifted, repeated
+    EVENT_KEY,          // amount: GLFW's key; shifted and repeated are set too
     EVENT_TYPED,        // amount: a character's code, or a code such as INPUT_ENTER
-    EVENT_PRESS,        // amount: 0 the left button, 1 the right one
+    EVENT_PRESS,        // amount: 0 for the left button, 1 for the right one
     EVENT_DOUBLE_PRESS, // the second press of a double click
     EVENT_RELEASE, // amount: 1 for a click; 0 if a drag has ended or the window has lost the focus
-    // Consecutive events of one of these kinds are merged, and their movements added up.
+    // From here on, consecutive events of the same kind are merged, and their movements added up.
     EVENT_WHEEL, // movement: notches, positive away from the user
-    EVENT_LOOK,  // movement: window units of the captured pointer to the right and down
-    EVENT_MOVE,  // movement: seconds to the right, up and forwards; more while moving faster
-    EVENT_DRAG,  // movement: the same of the pointer while a button is held
+    EVENT_LOOK,  // movement: of the captured pointer, in window units to the right and down
+    EVENT_MOVE,  // movement: seconds to the right, up and forwards, multiplied while moving faster
+    EVENT_DRAG,  // movement: of the pointer while a button is held, as for EVENT_LOOK
     EVENT_HOVER  // the pointer has moved, or left the window, without dragging anything
 };
 
-// Codes of keys that are typed but are no characters.
+// Codes of typed keys that are not characters.
 enum { INPUT_BACKSPACE = 8, INPUT_ENTER = 13, INPUT_ESCAPE = 27 };
 
 struct window_event {
@@ -31,7 +31,7 @@ struct window_event {
     int amount;
     bool shifted, repeated;
     double movement[3];
-    double position[2]; // of the pointer, window units from the top left; -1,-1 if it is outside
+    double position[2]; // of the pointer, in window units from the top left; -1,-1 if it is outside
     // The same position in other units, which pointer.c adds:
     double pixel[2]; // in pixels of the picture from its bottom left
     float unit[2];   // in units of the overlay from the top left; negative if there is no overlay
@@ -67,7 +67,7 @@ struct window_input {
     bool typing;      // a field is open, so keys are characters; set by field.c
     bool picker_open; // Escape closes the colour picker; set by colour_picker.c
     bool held[HELD_KEYS];
-    double counted; // all movement up to this time of glfwGetTime is in the events
+    double counted; // time of glfwGetTime up to which all movement is in the events
     enum window_button_state state;
     int button; // the button that is held: 0 left, 1 right
     struct {
@@ -82,17 +82,17 @@ struct window_input {
 
 // Receive the events of a window from now on.
 //   input  must outlive the window's last event
-//   show   called with to when the window must be drawn again; may be NULL
+//   show   called with the argument to when the window must be drawn again; may be NULL
 void window_input_open(struct window_input *input, GLFWwindow *window, void (*show)(void *to),
                        void *to);
 
-// Add the movement up to now. Call this before reading the events.
+// Add the movement from held keys up to now. Call this before reading the events.
 void window_input_count(struct window_input *input);
 
 // Forget the gathered events. Held keys stay held.
 void window_input_forget(struct window_input *input);
 
-// True while a key is held that moves the camera.
+// True while a key that moves the camera is held.
 bool window_input_moves(const struct window_input *input);
 
 #endif

@@ -17,7 +17,7 @@ enum condition {
     IN_LECTURE
 };
 
-// A single letter or digit of the labels names a key of an American keyboard.
+// A single letter or digit in a label names a key of an American keyboard.
 static const struct {
     const char *does, *label;
     enum condition condition;

@@ -1,4 +1,5 @@
-// Replaces window.c on a machine without GLFW, where no window can be opened.
+// none.c - replaces the modules of this folder, except watch.c, on a machine without GLFW, where no
+// window can be opened.
 #include "window/window.h"
 
 #include "report.h"

@@ -126,7 +126,8 @@ static void click_button(struct window *window)
     window->title.due = 0.0;
 }
 
-// Handle a click on anything but the parameters. The mark of a folded panel unfolds the panel.
+// Handle a click on anything but the parameters. A click on the mark of a folded panel unfolds the
+// panel.
 static void click_words(struct window *window)
 {
     bool *mark = window->panel.folded ? &window->panel.folded : &window->panel.rolled;

@@ -1,4 +1,4 @@
-// panel_input.h - the pointer on the panel.
+// panel_input.h - handles the pointer on the panel.
 #ifndef WINDOW_PANEL_INPUT_H
 #define WINDOW_PANEL_INPUT_H
 

@@ -15,7 +15,7 @@
 #include "window/stroke.h"
 
 #define DEGREES 0.15f // by which a movement of one window unit turns the camera
-#define REACH   6.0   // units of the overlay: a press this close to the divider grabs it
+#define REACH   6.0   // distance in units of the overlay within which a press grabs the divider
 
 // Set the event's position in pixels of the picture and in units of the overlay.
 static void locate(const struct window *window, struct window_event *event)
@@ -46,8 +46,8 @@ static void look_around(struct window *window, const double movement[3])
     window->moved = window->dirty = true;
 }
 
-// Handle the pointer on the picture while the button is down. Shadertoy's iMouse follows this
-// pointer.
+// Handle the pointer on the picture while the button is down. The same events set Shadertoy's
+// iMouse.
 static void picture_input(struct window *window, const struct window_event *event)
 {
     memcpy(window->pointer.last, event->pixel, sizeof event->pixel);
@@ -61,8 +61,8 @@ static void picture_input(struct window *window, const struct window_event *even
     }
 }
 
-// Update Shadertoy's iMouse for this turn: xy is the last position with the button down, zw that of
-// the press; z is positive while the button is down, and w in the one frame of the press. If the
+// Update Shadertoy's iMouse for this frame: xy is the last position with the button down, zw that
+// of the press; z is positive while the button is down, and w in the one frame of the press. If the
 // shader reads iMouse, a change causes a frame to be drawn.
 static void update_mouse(struct window *window)
 {
@@ -130,7 +130,7 @@ static enum pointer_owner claim(struct window *window, const struct window_event
     return window_stroke_claims(window, press) ? OWNER_STROKE : OWNER_PICTURE;
 }
 
-// Set the pointer's shape to match what is below the pointer.
+// Set the pointer's shape to match what is under the pointer.
 static void show_shape(struct window *window, const float unit[2])
 {
     static const int shapes[SHAPES] = {0, GLFW_HAND_CURSOR, GLFW_HRESIZE_CURSOR,
@@ -183,7 +183,7 @@ bool window_pointer_input(struct window *window, struct window_event *event)
 
 void window_pointer_rest(struct window *window)
 {
-    // The release may have been dropped, if the turn had too many events.
+    // The release may have been dropped if there were too many events.
     if (window->input.state == BUTTON_UP)
         window->pointer.owner = OWNER_NONE;
     window_stroke_rest(window);

@@ -26,7 +26,8 @@ void window_zoom(struct window *window, double notches)
             fmax((double)renderer->focal_length * factor, FOCAL_MINIMUM), FOCAL_MAXIMUM);
 }
 
-// Return the value that Tab changes, or NULL if there is none. end receives the ends of its range.
+// Return the value that Tab changes, or NULL if there is none. end receives the ends of the value's
+// range.
 static double *orthographic_of(struct window *window, double end[2])
 {
     struct renderer *renderer = window->renderer;

@@ -7,15 +7,15 @@
 // Change the focal length or, in the slice and plot views, the zoom by a number of wheel notches.
 void window_zoom(struct window *window, double notches);
 
-// True if the shader has both projections: it has a parameter named orthographic, or it is a
-// complete shader that reads OrthoView.
+// True if the shader has both projections: it has a parameter named orthographic, or it reads the
+// input iOrthoView or OrthoView.
 bool window_has_orthographic(struct window *window);
 
 // Begin the transition to the other projection. During a transition, reverse it.
 void window_toggle_orthographic(struct window *window);
 
 // Continue the transition. Returns true if this has changed the picture.
-//   seconds  since the last turn
+//   seconds  since the last iteration of the main loop
 bool window_continue_transition(struct window *window, double seconds);
 
 #endif

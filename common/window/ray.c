@@ -70,7 +70,7 @@ static int steps_of(struct window *window)
 {
     if (window->inputs.pixel[0] < 0)
         return 0;
-    window_follow_ray(window); // the ray may have been selected in this turn
+    window_follow_ray(window); // the ray may have been selected in this iteration
     bool marched = window->inputs.pixel[0] >= 0 && window->ray.why[0] == '\0';
     return marched ? probe_rows(window->ray.probe) : 0;
 }
@@ -90,7 +90,8 @@ void window_step(struct window *window, int by)
     int steps = steps_of(window), shown = (int)inputs->shown;
     if (steps == 0)
         return;
-    // While all steps are shown, stepping forwards shows the first step, and backwards the last.
+    // While all steps are shown, stepping forwards shows the first step, and stepping backwards the
+    // last.
     show_steps(window, shown == 0 && by < 0 ? steps : shown + by, steps);
 }
 

@@ -4,22 +4,23 @@
 
 #include "window/state.h"
 
-// Select the ray of a pixel, as the camera sees it now.
+// Select the current camera's ray through a pixel.
 void window_select_ray(struct window *window, const int pixel[2]);
 
 void window_deselect_ray(struct window *window);
 
-// Handle a click on the picture: select the ray of its pixel, or deselect it if it is selected.
+// Handle a click on the picture: select the ray of the clicked pixel, or deselect the ray if it is
+// already selected.
 //   pixel  position in pixels from the picture's bottom left, not rounded
 void window_click_ray(struct window *window, const double pixel[2]);
 
-// Keep the selected ray when the picture changes size: its pixel is then the one at the ray's
+// Keep the selected ray when the picture changes size: its pixel becomes the one at the ray's
 // position on the screen. If the picture has become too narrow for that, the ray is deselected.
-//   width, height  the new size, pixels
+//   width, height  the new size, in pixels
 void window_resize_ray(struct window *window, int width, int height);
 
-// Step along the selected ray. If none is selected and the shader keeps a trace, select the ray of
-// the middle pixel first.
+// Step along the selected ray. If no ray is selected and the shader keeps a trace, select the ray
+// of the middle pixel first.
 //   by  number of steps forwards; negative for backwards
 void window_step(struct window *window, int by);
 

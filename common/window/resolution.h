@@ -1,12 +1,12 @@
 // resolution.h - chooses the resolution at which a window draws its picture, from the time that its
 // frames take. No clock is read here.
 //
-// Level k draws each side 2^(-k/4) times as long, so each level leaves 2^(-1/2), about 0.71, of the
-// pixels of the level before. A frame with N pixels at full resolution takes, at level k,
+// Level k draws each side 2^(-k/4) times as long, so each level has 2^(-1/2), about 0.71, times the
+// pixels of the previous level. A frame with N pixels at full resolution takes, at level k,
 //
 //     T(k) = a + c N / 2^(k/2), plus E for enlarging if k > 0;   a, c, E >= 0.
 //
-// Only the last frame's T - E per pixel is known, and predictions assume a = 0. If a frame is
+// Only T - E per pixel of recent frames is known, and predictions assume a = 0. If a frame is
 // predicted to take longer than RESOLUTION_SLOW, the finest level that does not is chosen; if a
 // finer level is predicted to take less than RESOLUTION_QUICK, that level is chosen.
 //
@@ -47,14 +47,14 @@ double resolution_divisor(int level);
 // Return the length of a side at a level in pixels, at least 1.
 int resolution_side(int level, int side);
 
-// Begin with an estimated cost, seconds per pixel. The cost of the first frame replaces the
+// Begin with an estimated cost, in seconds per pixel. The cost of the first frame replaces the
 // estimate.
 void resolution_guess(struct resolution *resolution, double cost);
 
-// Add the cost of the last frame, seconds per pixel.
+// Add the cost of the last frame, in seconds per pixel.
 void resolution_learn(struct resolution *resolution, double cost);
 
-// Return the median of the last three costs, seconds per pixel.
+// Return the median of the last three costs, in seconds per pixel.
 double resolution_cost(const struct resolution *resolution);
 
 // Choose the level of the next frame.
@@ -66,12 +66,12 @@ int resolution_choose(struct resolution *resolution, double pixels, double enlar
 // The cost of enlarging, and the filter in use. A struct of zeros knows no cost and uses the edge
 // filter.
 struct enlarging {
-    double cost[3]; // seconds per pixel of the window that the edge filter would take, estimated
-                    // from the last three times; 0 before they are known
+    double cost[3]; // seconds per pixel of the window that the edge filter took, or would have
+                    // taken, in the last three frames; 0 before they are known
     bool plain;     // the bilinear filter is used instead
 };
 
-// Add the cost of the filter in use, seconds per pixel of the window.
+// Add the cost of the filter in use, in seconds per pixel of the window.
 void enlarging_learn(struct enlarging *enlarging, double cost);
 
 // Choose the filter of the next frame: the bilinear one if the edge filter would take longer than

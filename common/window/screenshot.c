@@ -28,7 +28,7 @@ static bool find_name(const struct window *window, char path[256])
 }
 
 // Add the labels and the divider of a comparison, as in a picture of --output. An overlay that
-// screenshots show already has them.
+// screenshots show already contains them.
 static void add_labels(struct window *window)
 {
     struct renderer *renderer = window->renderer;

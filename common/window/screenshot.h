@@ -1,4 +1,4 @@
-// screenshot.h - screenshots.
+// screenshot.h - writes screenshots.
 #ifndef WINDOW_SCREENSHOT_H
 #define WINDOW_SCREENSHOT_H
 

@@ -1,5 +1,5 @@
-// selection.h - the view, and the selected parameter: the one that the keys change and the title
-// bar shows.
+// selection.h - the view, and the selected parameter, which the keys change and the title bar
+// shows.
 #ifndef WINDOW_SELECTION_H
 #define WINDOW_SELECTION_H
 
@@ -12,8 +12,8 @@ struct parameter *window_selected(const struct window *window);
 // Select a parameter.
 void window_select(struct window *window, const struct parameter *parameter);
 
-// Return the parameter that the last press on the panel grabbed, or NULL. The grabbed components
-// are those from *first up to, but not including, *behind.
+// Return the parameter that the last press on the panel grabbed, or NULL if the shader no longer
+// has it. The grabbed components are those from *first up to, but not including, *behind.
 struct parameter *window_grabbed(const struct window *window, int *first, int *behind);
 
 // Call this after the value of a parameter has changed.

@@ -12,14 +12,14 @@ struct window_start {
     const char *stem;        // screenshots are STEM-0001.png, ... in the current folder
     struct loader *picture;  // compiled pictures, reloaded when their files change; not owned
     int pictures;            // 1, or 2 with a comparison
-    struct camera camera;    // the initial view
-    double time;             // seconds
+    struct camera camera;    // the initial camera
+    double time;             // the initial time, in seconds
     bool paused;             // the time is stopped until Escape is pressed
     int samples;             // samples along each side of a pixel
-    struct strokes *strokes; // strokes of the command line; the pointer adds more; not owned
-    double overlay_scale;    // 0 if it depends on the picture's height
+    struct strokes *strokes; // strokes from the command line; the pointer adds more; not owned
+    double overlay_scale;    // 0 to derive the scale from the picture's height
     bool overlay_kept;       // screenshots show the overlay too
-    int shown; // steps of the middle ray to show, which selects it; 0 if no ray is selected
+    int shown; // number of steps of the middle ray to show, which selects the ray; 0 for no ray
     const char *selected; // "NAME=VALUE", the parameter that is selected; NULL for the first one
     const char *caption;  // caption of a lecture's scene for the speaker; NULL outside a lecture
 };

@@ -1,4 +1,4 @@
-// state.h - the state of the window, which the modules of this folder share.
+// state.h - the state of the window, shared by the modules of this folder.
 #ifndef WINDOW_STATE_H
 #define WINDOW_STATE_H
 
@@ -14,7 +14,7 @@
 #include "window/resolution.h"
 #include "window/start.h"
 
-#define WINDOW_KEYS 29 // entries of the overlay's list of keys, at most
+#define WINDOW_KEYS 29 // maximum number of entries in the overlay's list of keys
 
 // The part of the window that owns the pointer from a press to the release.
 enum pointer_owner {
@@ -49,67 +49,67 @@ struct window {
     const struct window_start *start;
     struct window_input input;
     struct watch watch;
-    struct renderer_inputs inputs; // inputs of the frame on the screen
+    struct renderer_inputs inputs; // inputs of the next picture
     char parameter[64];            // name of the selected parameter
     bool second;                   // the selected parameter belongs to the second picture
     struct {
         enum pointer_owner owner;
-        // For Shadertoy's mouse, pixels of the picture:
-        bool pressed;             // the picture was pressed in this turn
-        double press[2], last[2]; // position of the press, and the last one with the button down
+        // The pointer on the picture, in pixels of the picture:
+        bool pressed;             // the picture was pressed in this iteration of the main loop
+        double press[2], last[2]; // position of the press, and last position with the button down
     } pointer;
-    float density;     // pixels per unit of a web page; 0 outside a page
-    int rectangle[4];  // x, y, width, height before full screen
-    bool has_keyboard; // the window has had the focus; before that, labels of keys are unknown
-    bool turning;      // a turn of the loop is under way
-    bool failed;       // a turn has failed
+    float density;     // pixels per CSS pixel of a web page; 0 outside a page
+    int rectangle[4];  // x, y, width and height of the window before full screen
+    bool has_keyboard; // the window has had the focus; until then, the labels of keys are unknown
+    bool turning;      // an iteration of the main loop is running
+    bool failed;       // an iteration has failed
     bool broken;       // the newest version of the shader has an error; an older one is shown
-    bool compiles;     // the driver compiles the newest version; an older one is shown
+    bool compiles;     // the driver is compiling the newest version; an older one is shown
     bool paused;
-    bool moved;    // what the picture shows has changed in this turn
+    bool moved;    // the content of the picture has changed in this iteration
     bool stale;    // the picture must be drawn again
     bool dirty;    // the frame must be shown again
-    int opening;   // steps of the middle ray that are still to be shown
-    bool shooting; // a screenshot waits for the sharp picture, with the time stopped
+    int opening;   // steps of the middle ray to show once the window is visible
+    bool shooting; // a screenshot waits for the sharp picture, while the time is stopped
     struct {
-        bool on;       // Tab was pressed, and the orthographic parameter changes
-        double target; // the value to which it changes
+        bool on;       // Tab was pressed, and the orthographic parameter is changing
+        double target; // the value that the parameter will reach
     } transition;
     struct {
         char shown[300];
         double due; // when the title may change again
     } title;
     struct {
-        double turn, frame; // when the last turn of the loop began, and the last frame
+        double turn, frame; // when the last iteration and the last frame began
         double shown;       // when the scene was first shown
-        double watch_due;   // when to look at the shader's files again
-        bool drew;          // the last turn drew a frame
+        double watch_due;   // when to check the shader's files again
+        bool drew;          // the last iteration drew a frame
         double rate;        // frames per second; 0 before it is known
         double seconds;     // time that drawing the last picture took
-        GLuint tried;       // the program whose cost is known
+        GLuint tried;       // the program whose cost has been estimated
         struct resolution resolution;
         struct enlarging enlarging;
     } pace;
     // At rest, a picture that was drawn at a lower resolution is sharpened.
     struct {
         double due;                    // when the picture has been at rest for long enough
-        struct renderer_inputs inputs; // inputs of the last picture, at its full size
-        int rows;                      // sharp rows, from the top
-        int band;                      // rows to sharpen next
+        struct renderer_inputs inputs; // inputs of the last picture, at full size
+        int rows;                      // number of sharp rows, from the top
+        int band;                      // number of rows to sharpen next
         double seconds;                // time that drawing the sharp rows took
     } sharpening;
     struct {
         struct overlay overlay;
         struct panel_rows rows; // the rows as they are shown
         struct inspector_table table;
-        bool folded;             // the panel is hidden, as by H
+        bool folded;             // the panel is hidden, as with key H
         bool captioned;          // the caption is shown, if there is one
-        bool in_page;            // a web page shows the panel's words while the panel is folded
+        bool in_page;            // a web page shows the panel's text while the panel is folded
         bool right, rolled;      // the panel is on the right; the panel is collapsed to its title
         bool peeks;              // the pointer is where the folded panel shows its title
         bool views;              // the list of views is open
         unsigned long long open; // parameters whose components stay shown, as in struct panel
-        bool helps;              // K was pressed: show all keys and the ranges of all parameters
+        bool helps;              // all keys and the ranges of all parameters are shown (key K)
         double figures[2];       // frames per second and milliseconds, as shown
         double figures_due;      // when the figures may change again
         char error[4096];        // the error that the panel shows; "" if there is none
@@ -126,17 +126,17 @@ struct window {
         int button;         // button of the last press: 0 left, 1 right
         int part;           // the component of the selected parameter; -1 for all
         double fraction[4]; // position of each component in its range, as dragged
-        float width;        // width of the grabbed row
-        char typed[128];    // the typed text while input.typing
+        float width;        // width of the grabbed row, in units of the overlay
+        char typed[128];    // the typed text while input.typing is set
         bool fresh;         // the next character replaces typed
-        char refused[512];  // why the typed value is refused
-        double notches;     // turns of the wheel that have not acted yet, a fraction of a notch
+        char refused[512];  // why the typed value was refused; "" if it was not
+        double notches;     // movement of the wheel that has had no effect yet, less than one notch
         int choice;         // the view or the button that was pressed
-        int hovered;        // the parameter below the pointer; -1 if there is none
-        float at[2];        // position of the pointer, units of the overlay; negative if outside
+        int hovered;        // the parameter under the pointer; -1 if there is none
+        float at[2];        // position of the pointer, in units of the overlay; negative if outside
         double rests_since;
         bool tip;                // the tooltip of the hovered parameter is shown
-        struct picker picker;    // picker of the selected colour, while input.picker_open
+        struct picker picker;    // picker of the selected colour, while input.picker_open is set
         enum picker_part picked; // the part that the pointer has grabbed
     } grab;
     enum pointer_shape shape; // the pointer's current shape
@@ -146,16 +146,16 @@ struct window {
         int count;
         int focused;                 // index of the focused handle; -1 if there is none
         bool moving;                 // the focused handle moves to target
-        double offset[2], target[2]; // from the pointer to the handle; where to move; pixels
+        double offset[2], target[2]; // offset from pointer to handle; target position; pixels
     } handles;
     // The selected ray.
     struct {
-        struct renderer_eye eye; // where the ray starts, which stays fixed while the camera moves
+        struct renderer_eye eye; // the ray's camera, which stays fixed while the view changes
         double position[2];      // of the ray's pixel from the centre, in half picture heights
         struct probe *probe;     // owned
         bool follow;             // the ray must be marched again
         bool print;              // the table of the march must be printed
-        char why[512];           // why it has no march, or ""
+        char why[512];           // why the ray has no march; "" if it has one
     } ray;
 };
 

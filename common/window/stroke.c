@@ -9,15 +9,15 @@
 #include "picture/comparison.h"
 #include "picture/probe.h"
 
-#define SPACING 0.5 // least distance between two points of a stroke, as a fraction of its amount
+#define SPACING 0.5 // minimum distance between a stroke's points, divided by the stroke's amount
 
-// Return the renderer of the picture below the pointer.
+// Return the renderer of the picture under the pointer.
 static struct renderer *renderer_below(const struct window *window)
 {
     return renderer_at(window->renderer, window->inputs.width, (int)window->pointer.last[0]);
 }
 
-// Return the parameter of the tool, or NULL if there is none.
+// Return the parameter that sets the tool's amount, or NULL if there is none.
 static const struct parameter *amount_of(const struct window *window)
 {
     const struct sculpture_tool *tool = window->renderer->sculpture.tool;
@@ -31,7 +31,7 @@ bool window_has_tool(const struct window *window)
            !shader_shows_ray(window->renderer->view);
 }
 
-// Find the point of the volume below the pointer. Returns false if there is no such point.
+// Find the point of the volume under the pointer. Returns false if there is no such point.
 static bool aim(struct window *window, double point[3])
 {
     struct renderer *renderer = renderer_below(window);

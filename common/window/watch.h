@@ -18,16 +18,17 @@ struct watch {
     struct watch_file *file; // owned
     int count;
     bool pending; // a change has not been reported yet
-    int quiet;    // consecutive looks that saw nothing new
+    int quiet;    // number of consecutive looks that found no new change
 };
 
 // Add a file in its current state, unless the set already contains it.
 void watch_add(struct watch *watch, const char *path);
 
 // Look at every file once. Call this about ten times per second.
-// Returns true once per change: at the first look that sees nothing new, so that a file is not read
-// while it is being written. A file that is missing or empty, as some editors cause for a moment,
-// delays the report for a few looks, but never that of a later change of another file.
+// Returns true once per change: at the first look that finds no further change, so that a file is
+// not read while it is being written. A file that is missing or empty, as some editors leave it
+// briefly while saving, delays the report by a few looks, but does not delay the report of a later
+// change of another file.
 bool watch_look(struct watch *watch);
 
 // Replace the set: after watch_begin, add the new files; watch_end removes all others.

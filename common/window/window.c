@@ -19,12 +19,12 @@
 #include "window/screenshot.h"
 #include "window/state.h"
 
-// A little less than 1/60 s, so that a display with its own rate sets the pace.
+// A little less than 1/60 s, so that the refresh rate of the display sets the pace.
 #define FRAME_SECONDS   0.0163
-#define WATCH_SECONDS   0.1  // between two looks at the shader's files
-#define TRANSITION_STEP 0.1  // seconds at most, so that even a slow machine shows steps in between
+#define WATCH_SECONDS   0.1  // between two checks of the shader's files
+#define TRANSITION_STEP 0.1  // maximum seconds; even a slow machine shows intermediate steps
 #define TITLE_SECONDS   0.25 // between two changes of the title bar
-#define DIGITS          8.0f // least height of a figure's digits, units of the page
+#define DIGITS          8.0f // minimum height of a figure's digits, in CSS pixels
 #define SHOWN_SECONDS   2.0  // for which a moving picture is shown before other work may disturb it
 
 // ---- Reload ----
@@ -34,9 +34,8 @@ static void add_file(void *watch, const char *path)
     watch_add(watch, path);
 }
 
-// Load the shaders again; each file that is read is added to the watch. While the driver compiles
-// the shaders, and if one has an error, the last good picture stays, and the files of both versions
-// are watched.
+// Reload the shaders, and watch each file that is read. While the driver compiles the shaders, or
+// if one has an error, the last good picture stays, and the files of both versions are watched.
 static void reload(struct window *window)
 {
     const struct window_start *start = window->start;
@@ -97,7 +96,8 @@ static bool update_size(struct window *window)
     return !hidden;
 }
 
-// Wait until the next frame is due or, while the picture is at rest, until something happens.
+// Wait until the next frame is due or, while the picture is at rest, until an event arrives or the
+// files must be checked.
 static void wait_for_turn(const struct window *window)
 {
     double due = window->pace.frame + FRAME_SECONDS;
@@ -159,7 +159,7 @@ static bool turn(struct window *window)
 
 bool window_turn(struct window *window)
 {
-    if (window->turning) // GLFW may call back during a turn
+    if (window->turning) // GLFW may call back during an iteration
         return true;
     window->turning = true;
     window->failed |= !turn(window);
@@ -169,7 +169,7 @@ bool window_turn(struct window *window)
 
 // While the user drags the window's edge, Windows and macOS keep GLFW from returning, and each
 // intermediate size must be drawn at once. If the size is unchanged, drawing can wait for the
-// loop's next turn.
+// loop's next iteration.
 static void show_size(void *to)
 {
     struct window *window = to;

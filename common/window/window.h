@@ -12,15 +12,15 @@
 
 struct window;
 
-// Open the loop.
+// Prepare the interactive loop.
 //   context  has a visible window; must outlive the returned window
-//   start    must outlive the returned window, or last until window_show is called
+//   start    must outlive the returned window, or remain valid until window_show is called
 // Returns the window, which the caller closes, or NULL after reporting the error.
 struct window *window_open(struct context *context, const struct window_start *start);
 
 // Show other pictures in the same window, with their own camera, time, view and parameters.
-//   start    must outlive the window, or last until the next call
-//   at_last  if start selects a ray, show all its steps instead of the steps of start
+//   start    must outlive the window, or remain valid until the next call
+//   at_last  if start selects a ray, show all its steps instead of the first start->shown
 void window_show(struct window *window, const struct window_start *start, bool at_last);
 
 // In a lecture, return 1 if the speaker has asked for the next scene since the last call, -1 for
@@ -28,22 +28,23 @@ void window_show(struct window *window, const struct window_start *start, bool a
 //   part  receives the part of the lecture that was asked for, from 1; 0 if none was
 int window_asked(struct window *window, int *part);
 
-// True if a moment of computing disturbs nobody, because the last turn has drawn nothing, or a
-// moving picture has been shown for two seconds.
+// True if a short computation disturbs nobody, because the last iteration drew nothing, or because
+// a moving picture has been shown for two seconds.
 bool window_idles(const struct window *window);
 
-// Show a message in the overlay, until the view or the scene changes.
+// Show a message in the overlay, until the view or the scene changes or the shaders are reloaded.
 void window_warn(struct window *window, const char *text);
 
-// Fill the screen.
+// Switch to full screen, or back if the window already fills the screen.
 void window_fill_screen(struct window *window);
 
-// Act on the input since the last turn and draw what is due, without waiting.
+// Run one iteration of the loop without waiting: act on the input since the last iteration, and
+// draw what is due.
 // Returns false after reporting the error if drawing failed.
 bool window_turn(struct window *window);
 
-// Run at most 60 turns per second until the window is closed.
-//   turned  called with to after each turn; may be NULL
+// Run the loop until the window is closed, with at most about 60 frames per second.
+//   turned  called with the argument to after each iteration; may be NULL
 // Returns false after reporting the error if drawing failed.
 bool window_run(struct window *window, void (*turned)(void *to), void *to);
 

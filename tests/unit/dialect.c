@@ -323,7 +323,7 @@ IN_PROJECT(test_inputs_and_textures)
                    DIALECT_WHOLE);
     assert_refused(
         "uniform sampler2D tex; out vec4 A; void main() { A = texture(tex, vec2(0)); }\n",
-        "main.frag:2: tex has no picture: name it iChannel0");
+        "main.frag:2: tex has no picture: declare it as sampler2D iChannel0");
     assert_dialect("#version 330 core\nuniform sampler2D tex; float k; " WRITES, DIALECT_WHOLE);
     // An array instead of a single value, and a single value instead of an array: neither would be
     // filled in.
@@ -362,7 +362,7 @@ IN_PROJECT(test_version_above_a_chapter)
 {
     scratch_write("root/shaders/main.glsl", "void main()\n{\n}\n");
     scratch_write("root/chapters/01_scene.frag", "#include \"main.glsl\"\n");
-    assert_refused("#include \"01_scene.frag\"\n", "main.frag:1: take #version out");
+    assert_refused("#include \"01_scene.frag\"\n", "main.frag:1: remove #version");
 }
 
 IN_PROJECT(test_compiled_text)

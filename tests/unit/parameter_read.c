@@ -211,10 +211,10 @@ TEST(test_malformed_rest)
     assert_refused("uniform float a; // 1 in [0, 2] step: x", "step must be a number");
     assert_refused("uniform float a; // 1 in [0, 2] step *2: x", "multiplies");
     assert_refused("uniform float a; // 1 in [0.5, 2] step *1: x", "multiplies");
-    assert_refused("uniform float a; // 1 in [0, 2]", "no meaning");
-    assert_refused("uniform float a; // 1 in [0, 2]:", "no meaning");
-    assert_refused("uniform float a; // 1 in [0, 2], unit", "no meaning");
-    assert_refused("uniform float a; // 1 in [0, 2], : x", "no unit");
+    assert_refused("uniform float a; // 1 in [0, 2]", "meaning is missing");
+    assert_refused("uniform float a; // 1 in [0, 2]:", "meaning is missing");
+    assert_refused("uniform float a; // 1 in [0, 2], unit", "meaning is missing");
+    assert_refused("uniform float a; // 1 in [0, 2], : x", "unit is missing");
     assert_refused("uniform float a; // 1 in [0, 2] metres: x", "not understood");
     assert_refused("uniform float a; // 1 in [0, 2], "
                    "0123456789012345678901234567890123456789012345678: x",
@@ -232,7 +232,7 @@ TEST(test_malformed_declarations)
     assert_refused("uniform float a; float b; // 1 in [0, 2]: x", "alone on its line");
     char line[512];
     snprintf(line, sizeof line, "uniform float %070d; // 1 in [0, 2]: x", 0);
-    assert_refused(line, "63 letters");
+    assert_refused(line, "63 characters");
     snprintf(line, sizeof line, "uniform float a; // 1 in [0, 2]: %0200d", 0);
     assert_refused(line, "meaning is too long");
     struct parameters parameters;

@@ -116,9 +116,9 @@ static const char *const wrong[][2] = {
     {"uniform sampler2D a; // a stone", "no picture is named"},
     {"uniform sampler2D a; /* \"stone.png\" sRGB repeat: x */", "no picture is named"},
     {"uniform sampler2D a; // stone.png sRGB repeat: x", "no picture is named"},
-    {"uniform sampler2D a; // \"stone.png sRGB repeat: x", "not closed"},
-    {"uniform sampler2D a; // \"\" sRGB repeat: x", "no file"},
-    {"uniform sampler2D a; // \" \" sRGB repeat: x", "no file"},
+    {"uniform sampler2D a; // \"stone.png sRGB repeat: x", "no closing quote"},
+    {"uniform sampler2D a; // \"\" sRGB repeat: x", "file's name is missing"},
+    {"uniform sampler2D a; // \" \" sRGB repeat: x", "file's name is missing"},
     {"uniform sampler2D a; // \"stone.png\"", "sRGB or linear is missing"},
     {"uniform sampler2D a; // \"stone.png\": x", "sRGB or linear is missing"},
     {"uniform sampler2D a; // \"stone.png\" repeat: x", "'repeat' is not understood"},
@@ -128,8 +128,8 @@ static const char *const wrong[][2] = {
     {"uniform sampler2D a; // \"stone.png\" sRGB: x", "repeat or clamp is missing"},
     {"uniform sampler2D a; // \"stone.png\" sRGB mirror: x", "'mirror' is not understood"},
     {"uniform sampler2D a; // \"stone.png\" sRGB repeat clamp: x", "'clamp: x' is not"},
-    {"uniform sampler2D a; // \"stone.png\" sRGB repeat", "no meaning"},
-    {"uniform sampler2D a; // \"stone.png\" sRGB repeat:  ", "no meaning"},
+    {"uniform sampler2D a; // \"stone.png\" sRGB repeat", "meaning is missing"},
+    {"uniform sampler2D a; // \"stone.png\" sRGB repeat:  ", "meaning is missing"},
     {"uniform sampler2D a; // \"stone.png\" sRGB repeat 4: x", "has no slices"},
     {"uniform sampler3D a; // \"stone.png\" sRGB repeat: x", "needs the number of its slices"},
     {"uniform sampler3D a; // \"stone.png\" sRGB repeat 0: x", "a whole number from 1 to 2048"},
@@ -272,14 +272,14 @@ TEST(test_channels)
         assert_true(!done && strstr(said, "--channel 2=gone.png: cannot be read") != NULL);
     }
     assert_misfit(toy, &other, "the shader does not mention iChannel0");
-    assert_misfit("float x;\n", &other, "--texture NAME=FILE.png is for its samplers");
+    assert_misfit("float x;\n", &other, "use --texture NAME=FILE.png for its samplers");
     assert_refused(whole, "my.frag:2: ", "iChannel2 has no picture: give --channel 2=FILE.png");
     assert_refused("#version 330 core\nuniform sampler2D stone; out vec4 c;\n"
                    "void main() { c = texture(stone, vec2(0.0)); }\n",
-                   "my.frag:2: ", "name it iChannel0");
+                   "my.frag:2: ", "declare it as sampler2D iChannel0");
     assert_refused("#version 330 core\nuniform samplerCube iChannel0; out vec4 c;\n"
                    "void main() { c = texture(iChannel0, vec3(0.0)); }\n",
-                   "my.frag:2: ", "iChannel0: cube maps are not offered");
+                   "my.frag:2: ", "iChannel0: cube maps are not supported");
 }
 
 TEST(test_the_table)

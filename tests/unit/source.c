@@ -265,7 +265,7 @@ IN_PROJECT(test_letters_of_another_size)
     assert_refused("#include \"Leaf.glsl\"\n", "main.frag:1: #include \"Leaf.glsl\": ");
     system_make_link("leaf.glsl", scratch_path("root/shaders/LEAF.glsl"));
     assert_refused("\n#include \"LEAF.glsl\"\n",
-                   "main.frag:2: #include \"LEAF.glsl\": ", "the disk has it as leaf.glsl: ");
+                   "main.frag:2: #include \"LEAF.glsl\": ", "the name on disk is leaf.glsl: ");
     scratch_write("root/shaders/deep/a.glsl", "a\n");
     system_make_link("deep", scratch_path("root/shaders/Deep"));
     assert_refused("#include \"../shaders/Deep/a.glsl\"\n", "as deep/a.glsl: ");

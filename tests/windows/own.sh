@@ -56,7 +56,7 @@ elsewhere() { "$loader" "$strange/course/03_shadows.exe" "${small[@]}" -o "$stra
 check "a course in such a folder, with Windows' line ends" elsewhere
 
 printf '#include "Main.glsl"\n' >"$scratch/letters.frag"
-check 'an include whose capitals differ' refused 'letters.frag:1: #include "Main.glsl": the disk has it as main.glsl' \
+check 'an include whose capitals differ' refused 'letters.frag:1: #include "Main.glsl": the name on disk is main.glsl' \
     picture -f "$scratch/letters.frag" -o "$scratch/letters.png"
 
 # ---- A file that another program holds open ----
