@@ -1,12 +1,13 @@
-// camera.c - the eye's frame is orthonormal and right-handed, turns stop and wrap where they
-// should, and a path does not depend on the frame rate.
+// camera.c - tests that the eye's frame is orthonormal and right-handed, the tilt stops at its
+// limit, the pan wraps, and the path of a moving camera does not depend on the frame rate.
 #include "lib/test.h"
 #include "camera.h"
 
 #define ANGLES 20000
 #define NEAR   1e-6
 
-// With Knuth's constants, the angles are the same on every machine.
+// A random number in [0, 1), from a linear congruential generator with Knuth's constants, so that
+// the angles are the same on every machine.
 static double next_random(uint64_t *seed)
 {
     *seed = *seed * 6364136223846793005u + 1442695040888963407u;
@@ -27,7 +28,7 @@ static double dot(const float a[3], const float b[3])
 static void assert_near(double value, double expected, double tolerance)
 {
     if (!(fabs(value - expected) <= tolerance))
-        fail_msg("%.9g is not %.9g within %g", value, expected, tolerance);
+        fail_msg("%.9g differs from %.9g by more than %g", value, expected, tolerance);
 }
 
 static void assert_vector(const float v[3], double x, double y, double z, double tolerance)
@@ -68,7 +69,7 @@ TEST(test_basis_is_right_handed_and_upright)
     }
 }
 
-TEST(test_directions)
+TEST(test_forward_right_and_up)
 {
     struct camera camera = {.pan = 0.0f};
     struct camera_basis b = camera_basis_of(&camera);
@@ -122,7 +123,7 @@ TEST(test_wrapping_keeps_the_view)
                   NEAR);
 }
 
-// The camera after one second at a speed of 3, divided into steps.
+// Move the camera for one second at a speed of 3, in steps of equal length, and return it.
 static struct camera walk(struct camera camera, const float direction[3], int steps)
 {
     for (int i = 0; i < steps; i++)
@@ -145,7 +146,7 @@ TEST(test_path_does_not_depend_on_the_frame_rate)
     }
 }
 
-TEST(test_every_direction_is_as_fast)
+TEST(test_every_direction_is_equally_fast)
 {
     uint64_t seed = 5;
     for (int i = 0; i < 27 * 100; i++) {

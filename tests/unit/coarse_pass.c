@@ -1,12 +1,14 @@
-// coarse_pass.c - the coarse pass in the renderer: every way of drawing a picture reads one table,
-// to the last bit, and the table exists only where it is requested.
+// coarse_pass.c - tests the renderer's coarse pass: a picture is the same, bit for bit, however it
+// is drawn, because all its parts and samples start from the same table; and there is a table only
+// if the shader asks for it and the pass is switched on.
 #include "lib/test.h"
 #include "lib/coarse.h"
 #include "lib/scratch.h"
 
-// ---- One table for every way of drawing ----
+// ---- The same table however a picture is drawn ----
 
-// A view of the wire in more than one tile, whose sides are not multiples of a block.
+// Load the scene of a wire, and return the inputs of a picture that takes more than one tile and
+// whose sides are not multiples of a block's side.
 static struct renderer_inputs wide_inputs(int samples)
 {
     struct coarse_scene scene = coarse_wire(1.0, 0.11);
@@ -22,9 +24,9 @@ static size_t size_of(const struct renderer_inputs *inputs)
     return sizeof(float[4]) * (size_t)inputs->width * (size_t)inputs->height;
 }
 
-// The parts are bands, some of which begin within a block, and the sharpened rows of a window with
-// another picture drawn between them.
-TEST(test_parts_of_a_picture_are_the_whole_to_the_bit)
+// The picture is drawn in bands, some of which begin within a block, and then in the sharpened rows
+// of a window, with another picture drawn before each group of rows.
+TEST(test_the_parts_of_a_picture_equal_the_whole_bit_for_bit)
 {
     for (int samples = 1; samples <= 2; samples++) {
         struct renderer_inputs inputs = wide_inputs(samples);
@@ -50,8 +52,8 @@ TEST(test_parts_of_a_picture_are_the_whole_to_the_bit)
     }
 }
 
-// The probe begins where the picture does: both starts are from the table, whatever was drawn in
-// between.
+// A probe's march begins at the same distance as the picture's march for the same pixel, because
+// both starts come from the table, even if another picture was drawn in between.
 TEST(test_a_probe_begins_where_the_picture_does)
 {
     static struct probe probe;
@@ -74,8 +76,9 @@ TEST(test_a_probe_begins_where_the_picture_does)
     free(picture);
 }
 
-// Samples lie within their pixel, so one table serves them all. They agree with the pixels of a
-// larger picture although its blocks are smaller, because no ray meets anything before its start.
+// All samples are within their pixel, so the same table serves every sample. The samples agree with
+// the pixels of a picture four times as wide and high, although each of its blocks covers less of
+// the view, because no ray meets a surface before its start.
 TEST(test_samples_find_what_a_larger_picture_finds)
 {
     struct renderer_inputs small = wide_inputs(4), large = small;
@@ -96,7 +99,7 @@ TEST(test_samples_find_what_a_larger_picture_finds)
     assert_int_equal(differ, 0);
 }
 
-// Samples move their rays here, and the margin includes the shift.
+// Here each sample shifts its ray, and coarseMargin includes the largest shift.
 TEST(test_rays_that_samples_move_lose_nothing)
 {
     struct renderer_inputs inputs = wide_inputs(3);
@@ -114,7 +117,7 @@ TEST(test_rays_that_samples_move_lose_nothing)
     assert_int_equal(differ, 0);
 }
 
-// ---- Only where it is requested ----
+// ---- No table unless it is requested ----
 
 TEST(test_there_is_no_pass_when_switched_off)
 {
@@ -130,21 +133,21 @@ TEST(test_there_is_no_pass_when_switched_off)
     free(picture);
 }
 
-TEST(test_a_shader_that_does_not_ask_gets_no_pass)
+TEST(test_a_shader_that_does_not_call_coarse_start_gets_no_pass)
 {
     struct renderer_inputs inputs = {.width = 64, .height = 36, .samples = 1};
     gpu_close();
     assert_true(gpu_open());
     assert_true(gpu_load("chapters/03_shadows.frag"));
     free(gpu_numbers(&inputs));
-    // The file is included, but nothing calls coarseStart; then coarseMargin is not needed either.
+    // coarse.glsl is included, but nothing calls coarseStart, so coarseMargin is not needed.
     assert_true(
         gpu_load_text("#include \"main.glsl\"\n#include \"coarse.glsl\"\n"
                       "Ray pixelRay(vec2 s) { return Ray(vec3(s, 0.0), vec3(0.0, 0.0, 1.0)); }\n"
                       "float sceneDistance(vec3 p) { return 1.0; }\n"
                       "vec3 rayColour(Ray ray) { return vec3(0.5); }\n"));
     free(gpu_numbers(&inputs));
-    // In a whole file, the name belongs to the author.
+    // A whole file may have a uniform iCoarse of its own.
     capture_begin();
     assert_true(gpu_load_text("#version 330 core\nuniform float iCoarse;\nout vec4 c;\n"
                               "void main() { c = vec4(iCoarse); }\n"));
@@ -154,8 +157,8 @@ TEST(test_a_shader_that_does_not_ask_gets_no_pass)
     assert_int_equal(gpu.renderer.program[SHADER_COARSE], 0);
 }
 
-// An error in the pass is found together with the picture's errors, while the previous shader is
-// still loaded.
+// An error in the coarse pass is found while the shader is being loaded, so the previous shader
+// stays loaded.
 TEST(test_a_missing_margin_is_reported_at_once)
 {
     struct renderer_inputs inputs = wide_inputs(1);
@@ -173,13 +176,14 @@ TEST(test_a_missing_margin_is_reported_at_once)
     free(after);
 }
 
-// This driver makes no float target. The table's target is requested before the picture's.
+// Simulate a driver that cannot make a float target. The renderer requests the table's target
+// before the picture's.
 static GLenum no_target(GLenum target)
 {
     return target == GL_FRAMEBUFFER ? GL_FRAMEBUFFER_UNSUPPORTED : 0;
 }
 
-TEST(test_a_driver_without_the_table_is_reported)
+TEST(test_a_driver_that_cannot_make_the_table_is_reported)
 {
     struct renderer_inputs inputs = wide_inputs(1);
     gpu_close();

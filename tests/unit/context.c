@@ -1,5 +1,5 @@
-// context.c - common/context/context.c and its backends, without a window.
-// tests/command/failures.sh uses the programs to try what cannot be opened.
+// context.c - tests common/context/context.c and its backends without a window.
+// tests/command/failures.sh tests what the programs do if a context cannot be opened.
 #include "lib/test.h"
 
 #include "context/context.h"
@@ -38,7 +38,8 @@ TEST(names_of_backends_are_known)
     assert_int_equal(backend, CONTEXT_OSMESA);
 }
 
-// The properties of every open context: 3.3 core, with every function of the table, able to draw.
+// Check the properties of every context without a window: OpenGL 3.3 or later, the core profile,
+// all functions of the table, and a complete description that begins with name.
 static void assert_works(const struct context *context, const char *name)
 {
     GLint major = 0, minor = 0, profile = 0;
@@ -58,7 +59,7 @@ static void assert_works(const struct context *context, const char *name)
     assert_null(context->window);
 }
 
-// Clear our own float target to a colour and read it back.
+// Clear a float target to a colour, and check the colour that is read back.
 static void assert_draws(const struct gl *gl, float value)
 {
     GLuint framebuffer = 0, texture = 0;
@@ -114,7 +115,8 @@ TEST(a_closed_context_ends_egl)
 }
 #endif
 
-// The driver itself may keep files open from its first context on.
+// The driver may keep files open after its first context, so the count after the first context is
+// the reference.
 TEST(a_closed_context_leaves_no_file_open)
 {
     static const enum context_backend backends[] = {CONTEXT_EGL, CONTEXT_OSMESA};

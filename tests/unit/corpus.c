@@ -1,9 +1,10 @@
-// corpus.c - the files of tests/corpus, from which `make fuzz` starts, break no promise.
+// corpus.c - tests that no file of tests/corpus, from which `make fuzz` starts, breaks a promise
+// that tests/lib/fuzz.h checks.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
-// cmocka needs the four above.
+// cmocka.h needs the four headers above.
 #include <cmocka.h>
 
 #include <glob.h>
@@ -17,14 +18,14 @@
 #include "lib/scratch.h"
 
 #define FILE_LIMIT 65536
-// The most memory of the process, relative to that at its start: no file is large, but a damaged
-// one may claim to be.
+// The limit on the peak memory of the process, as a multiple of the peak at its start. No file is
+// large, but a damaged file may claim to be.
 #define GROWTH_LIMIT 40
 
 static uint8_t bytes[FILE_LIMIT];
 static long at_start;
 
-// The most memory that this process has held, in the system's unit.
+// The peak memory of this process so far, in the unit of the system's ru_maxrss.
 static long most_memory(void)
 {
     struct rusage usage;
@@ -32,7 +33,8 @@ static long most_memory(void)
     return usage.ru_maxrss;
 }
 
-// Try a folder of the corpus: each file, and each prefix of it.
+// Run a target on every file in the target's folder of the corpus, and on seven prefixes of each
+// file.
 static void run_folder(const struct fuzz_target *target)
 {
     char pattern[4096 + 64];
@@ -56,7 +58,8 @@ static void run_folder(const struct fuzz_target *target)
 static void test_folder(void **state)
 {
     run_folder(*state);
-    printf("# memory %.1f times that at the start\n", (double)most_memory() / (double)at_start);
+    printf("# the peak memory is %.1f times the peak at the start\n",
+           (double)most_memory() / (double)at_start);
     assert_true(most_memory() < GROWTH_LIMIT * at_start);
 }
 

@@ -1,5 +1,5 @@
-// dialect.c - the dialects of a shader file: which one a text is, what other people's shaders need,
-// what is compiled, and one clear line for each text that cannot be a picture.
+// dialect.c - tests how the dialect of a shader file is determined, how a file is translated for
+// the driver, and that a text that cannot draw a picture is refused with one clear line.
 #include "lib/test.h"
 
 #include "memory.h"
@@ -14,7 +14,8 @@ static int set_up(void **state)
     return 0;
 }
 
-// Read a text as root/chapters/main.frag. Returns whether that succeeds; said is the report.
+// Read a text as root/chapters/main.frag. Returns true on success; *said receives whatever was
+// reported.
 static bool read_text(struct shader_source *source, const char *text, const char **said)
 {
     const char *path = scratch_write("root/chapters/main.frag", text);
@@ -24,7 +25,7 @@ static bool read_text(struct shader_source *source, const char *text, const char
     return done;
 }
 
-// Read a text that is a shader.
+// Read a text. Fails the test if the text is refused or anything is reported.
 static struct shader_source read_well(const char *text)
 {
     struct shader_source source;
@@ -42,8 +43,8 @@ static void assert_dialect(const char *text, enum shader_dialect dialect)
     shader_free(&source);
 }
 
-// A whole file with this text after its #version is refused with one line that contains these
-// words.
+// Check that a whole file with this text after its #version is refused with a single line that
+// contains these words.
 static void assert_refused(const char *text, const char *words)
 {
     struct shader_source source;
@@ -52,7 +53,7 @@ static void assert_refused(const char *text, const char *words)
     assert_false(read_text(&source, whole, &said));
     free(whole);
     if (line_count(said) != 1 || strstr(said, words) == NULL)
-        fail_msg("%s: '%s' is missing in: %s", text, words, said);
+        fail_msg("%s: expected one line that contains '%s', not: %s", text, words, said);
 }
 
 // A main that writes a colour.
@@ -85,13 +86,13 @@ IN_PROJECT(test_dialects)
                    DIALECT_COURSE);
 }
 
-// Text that the preprocessor leaves out decides nothing.
+// Text that the preprocessor skips does not affect the dialect.
 IN_PROJECT(test_dialects_behind_conditions)
 {
     static const char toy[] = "void mainImage(out vec4 c, in vec2 p) {}\n";
     static const struct {
         const char *before, *after;
-        enum shader_dialect dialect; // of main between them, followed by mainImage
+        enum shader_dialect dialect; // of the text before, MAIN, after, toy
     } cases[] = {
         {"#if 0\n", "#endif\n", DIALECT_SHADERTOY},
         {"#if 1\n", "#endif\n", DIALECT_WHOLE},
@@ -121,9 +122,9 @@ IN_PROJECT(test_dialects_behind_conditions)
     }
 }
 
-// Shadertoy's pixel is that of the whole picture, whichever part is drawn, and its colour begins at
-// 0.
-IN_PROJECT(test_shadertoy_s_words)
+// In Shadertoy's dialect, gl_FragCoord is the pixel's position in the whole picture, whichever part
+// is drawn, and the colour is inout, because it starts as 0.
+IN_PROJECT(test_shadertoy_main_image)
 {
     struct shader_source source;
     const char *said;
@@ -136,7 +137,7 @@ IN_PROJECT(test_shadertoy_s_words)
     shader_free(&source);
 }
 
-// Versions and extensions that the driver may not know do not reach it.
+// Versions and extensions that the driver may not know are removed from the text that it gets.
 IN_PROJECT(test_versions)
 {
     static const struct {
@@ -159,7 +160,8 @@ IN_PROJECT(test_versions)
     }
 }
 
-// The driver must get this text for a whole file, after the lines in front of it.
+// Check that the driver gets the expected text, after the prelude, for a whole file with this text
+// after its #version.
 static void assert_driver_gets(const char *text, const char *expected)
 {
     char whole[512];
@@ -194,8 +196,9 @@ IN_PROJECT(test_values_begin_at_zero)
                        "out vec4 c;\nvoid main() {c=vec4(0); if (x) c = vec4(1.0); }\n");
 }
 
-// Where a macro may mean something else, a declaration stays as it is.
-IN_PROJECT(test_what_cannot_be_judged_is_left_alone)
+// A declaration stays as it is if a macro or an #if may change its meaning, if it is a member of a
+// block, or if its zero is too long or too complicated to write.
+IN_PROJECT(test_unclear_declarations_stay)
 {
     static const char *const texts[] = {
         "#define float highp float\nfloat x;\nvoid f() { float y; }\n",
@@ -236,7 +239,7 @@ IN_PROJECT(test_outputs)
     assert_refused("\nout float A; void main() { A = 1.0; }\n", "main.frag:3: out float A: a pict");
 }
 
-IN_PROJECT(test_texts_without_sense)
+IN_PROJECT(test_meaningless_texts)
 {
     assert_refused("float a[65536]; int i = a[ 65537 ];\n",
                    "main.frag:2: an array of 65537 elements");
@@ -248,9 +251,11 @@ IN_PROJECT(test_texts_without_sense)
     assert_non_null(strstr(said, "main.frag: contains only comments"));
 }
 
-// A text of lines in which each name expands to two copies of the previous one.
-//   line   "%1$d" is its number, and "%2$d" the number before
-//   ascends  whether the numbers ascend
+// A text of count numbered lines and a last line. In the formats below, the name in each line
+// expands to two copies of the name with the next smaller number.
+//   line     the format: "%1$d" is the line's number, and "%2$d" is one less
+//   ascends  true if the numbers ascend from 1, false if they descend to 1
+// Returns a text that is valid until the next call.
 static const char *doubled(const char *line, int count, bool ascends, const char *last)
 {
     static char text[8192];
@@ -276,7 +281,7 @@ IN_PROJECT(test_texts_that_grow)
     snprintf(text, sizeof text, use, "A19");
     source = read_well(doubled(macro, 19, true, text));
     shader_free(&source);
-    source = read_well(doubled(macro, 28, true, text)); // those that are not used cost nothing
+    source = read_well(doubled(macro, 28, true, text)); // macros that are not used cost nothing
     shader_free(&source);
     snprintf(text, sizeof text, use, "A28");
     assert_refused(doubled(macro, 28, true, text),
@@ -287,7 +292,8 @@ IN_PROJECT(test_texts_that_grow)
     assert_refused(doubled(call, 28, true, text), "main.frag:30: D28: expands to");
     snprintf(text, sizeof text, CALLS "%s", doubled(function, 28, true, "out vec4 o;\n"));
     assert_refused(text, "main.frag:21: f18: expands to");
-    // Arguments that are repeated, and a name that stays as it is inside itself.
+    // A macro that repeats its argument doubles the text at every level of nesting. A macro's name
+    // is not expanded again inside its own expansion.
     char nested[512] = "1.0";
     for (int i = 0; i < 24; i++) {
         char before[512];
@@ -325,8 +331,8 @@ IN_PROJECT(test_inputs_and_textures)
         "uniform sampler2D tex; out vec4 A; void main() { A = texture(tex, vec2(0)); }\n",
         "main.frag:2: tex has no picture: declare it as sampler2D iChannel0");
     assert_dialect("#version 330 core\nuniform sampler2D tex; float k; " WRITES, DIALECT_WHOLE);
-    // An array instead of a single value, and a single value instead of an array: neither would be
-    // filled in.
+    // An input that is declared as an array instead of a single value, or the reverse, would never
+    // be set.
     assert_refused(
         "uniform sampler2D iChannel0[2]; out vec4 A; void main() { A = texture(iChannel0[1], "
         "vec2(0)); }\n",

@@ -1,5 +1,5 @@
-// enlarge.c - the filters that enlarge a picture drawn at a lower resolution, compared with the
-// formulas in double precision and with the pictures in full resolution.
+// enlarge.c - tests the filters that enlarge a picture drawn at a lower resolution, by comparison
+// with formulas in double precision and with pictures at full resolution.
 #include "lib/test.h"
 #include "lib/enlarge.h"
 
@@ -7,8 +7,8 @@ enum { SMALL_WIDTH = 40, SMALL_HEIGHT = 24, WIDTH = 97, HEIGHT = 71 };
 
 static const double byte = 1.0 / 255.0;
 
-// Draw colours into the renderer's picture, small.
-//   text  GLSL that sets c, from the texel's indices p, counted from 0,0
+// Draw a picture of this size into the renderer's target, without enlarging it.
+//   text  GLSL that sets the colour c from p, the texel's integer coordinates, which start at 0,0
 static void draw_small(const char *text, int width, int height)
 {
     char shader[1024];
@@ -23,7 +23,7 @@ static float *large(enum enlarge_filter filter)
     return enlarge_numbers(filter, &gpu.renderer.picture, WIDTH, HEIGHT);
 }
 
-// The position of a pixel in the small picture.
+// The position of a large picture's pixel in the small picture, along one axis, in texels.
 static double position(int pixel, int side, int small)
 {
     return (pixel + 0.5) * small / side - 0.5;
@@ -49,8 +49,9 @@ TEST(even_pictures_stay_as_they_are)
         }
 }
 
-// Values are clamped to [0, 1] before the mean: a lamp of 50 is no brighter than white.
-TEST(values_are_brought_into_range)
+// Values are clamped to [0, 1] before they are averaged, so a lamp with the value 50 counts as
+// white.
+TEST(values_are_clamped_before_the_mean)
 {
     draw_small("c = vec4(p.x < 19.5 ? 50.0 : -50.0);", SMALL_WIDTH, SMALL_HEIGHT);
     float *numbers = large(ENLARGE_BILINEAR);
@@ -61,7 +62,7 @@ TEST(values_are_brought_into_range)
     free(numbers);
 }
 
-// x and y both have the right direction, and the picture's edges are clamped.
+// Neither axis is reversed, and positions beyond the outermost texels' centres are clamped.
 TEST(bilinear_is_linear_between_texels)
 {
     draw_small("c = vec4(p.x / 51.0, p.y / 51.0, p.x * p.y / 1275.0, 1.0);", SMALL_WIDTH,
@@ -77,7 +78,8 @@ TEST(bilinear_is_linear_between_texels)
     free(numbers);
 }
 
-// The copy follows the picture's size along each axis, to a larger and to a smaller one.
+// The enlarger's copy of the picture is resized whenever either side of the picture grows or
+// shrinks.
 TEST(a_picture_may_change_along_one_axis)
 {
     static const int sizes[][2] = {{40, 24}, {60, 24}, {60, 37}, {31, 37}, {31, 20}};
@@ -94,9 +96,9 @@ TEST(a_picture_may_change_along_one_axis)
     enlarge_close(&enlarge, &gpu.context.gl);
 }
 
-// The picture is a slanted edge from black to white, at any angle. No value lies outside the range
-// of the 4 nearest texels, so there is no ringing, and the result is closer to the edge itself than
-// that of the bilinear filter.
+// The picture is a straight edge between black and white, at 14 angles. The values of the edge
+// filter are within the range of the 4 nearest texels, so there is no ringing, and their squared
+// error is less than 0.92 of the bilinear filter's.
 TEST(the_edge_filter_follows_an_edge)
 {
     for (int degrees = 7; degrees < 180; degrees += 13) {
@@ -130,22 +132,25 @@ TEST(the_edge_filter_follows_an_edge)
             free(numbers);
         }
         free(small);
-        print_message("# %d degrees: %.1f, bilinear %.1f\n", degrees, off[ENLARGE_EDGE],
-                      off[ENLARGE_BILINEAR]);
+        print_message("# an edge at %d degrees: squared error %.1f with the edge filter, %.1f with "
+                      "the bilinear filter\n",
+                      degrees, off[ENLARGE_EDGE], off[ENLARGE_BILINEAR]);
         assert_true(off[ENLARGE_EDGE] < 0.92 * off[ENLARGE_BILINEAR]);
     }
 }
 
 // At half the resolution, the edge filter's root mean square error is less than 0.95 of the
-// bilinear filter's on solids and shadows, and hardly larger on textures.
+// bilinear filter's on solids and shadows, and at most 4 % larger on textures.
 TEST(the_edge_filter_is_near_the_full_picture)
 {
     static const double most[ENLARGE_SCENES] = {0.95, 0.93, 1.04, 1.02, 1.01};
     struct enlarge_error error[ENLARGE_FILTERS];
     for (int scene = 0; scene < ENLARGE_SCENES; scene++) {
         enlarge_measure(&enlarge_scenes[scene], 2.0, error);
-        print_message("# %s: rms %.2f, bilinear %.2f\n", enlarge_scenes[scene].shader,
-                      error[ENLARGE_EDGE].rms, error[ENLARGE_BILINEAR].rms);
+        print_message("# %s: root mean square error %.2f with the edge filter, %.2f with the "
+                      "bilinear filter\n",
+                      enlarge_scenes[scene].shader, error[ENLARGE_EDGE].rms,
+                      error[ENLARGE_BILINEAR].rms);
         assert_true(error[ENLARGE_EDGE].rms < most[scene] * error[ENLARGE_BILINEAR].rms);
     }
 }

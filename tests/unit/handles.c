@@ -1,5 +1,5 @@
-// handles.c - handles: their positions in a picture, compared with projection in double precision;
-// and they follow a pointer in every view.
+// handles.c - tests that handles are where a projection in double precision puts their points, and
+// that they follow a pointer, in perspective and in a parallel projection.
 #include "lib/test.h"
 #include "picture/handles.h"
 #include "lib/gpu.h"
@@ -33,7 +33,8 @@ static struct renderer_inputs inputs(void)
         .pixel = {-1, -1}};
 }
 
-// The pixel of a point; focalLength is 2. Returns false behind the camera.
+// Find the pixel of a point. In perspective, focalLength is 2. Returns false if the point is behind
+// the camera.
 static bool project(const double p[3], bool parallel, double pixel[2])
 {
     const struct renderer_inputs in = inputs();
@@ -55,7 +56,8 @@ static bool project(const double p[3], bool parallel, double pixel[2])
     return along[2] > 0.0;
 }
 
-// The point of a handle, by its index in the shader's text.
+// Set point to the position of a handle.
+//   i  index of the handle, in the order of the shader's text
 static void point_of(int i, const struct parameter *p, double point[3])
 {
     const double third[] = {0.0, p->value[1], p->value[2], p->value[2], p->value[2]};
@@ -81,7 +83,8 @@ TEST(a_handle_is_where_its_point_is)
     }
 }
 
-// The handle is dragged to a distant pixel; the coordinate that its plane fixes is kept.
+// Each handle is dragged to a distant pixel. The coordinate that is constant in a handle's plane
+// does not change.
 TEST(a_handle_follows_a_pointer)
 {
     static const double to[][2] = {{220.0, 90.0}, {60.0, 80.0}, {160.0, 75.0}};
@@ -98,17 +101,19 @@ TEST(a_handle_follows_a_pointer)
                 assert_true(handles_drag(&gpu.renderer, &in, handle, i, to[k]));
                 point_of(i, p, point);
                 assert_true(project(point, parallel, pixel));
-                // A thousandth of a unit is at most half a pixel here.
+                // Values are rounded to a thousandth of a unit, which is at most half a pixel here.
                 if (hypot(pixel[0] - to[k][0], pixel[1] - to[k][1]) >= 0.5)
-                    fail_msg("parallel %d handle %d to %zu: at %g %g, point %g %g %g", parallel, i,
-                             k, pixel[0], pixel[1], point[0], point[1], point[2]);
+                    fail_msg("parallel %d: handle %d, dragged to position %zu, is at pixel %g, %g; "
+                             "its point is %g, %g, %g",
+                             parallel, i, k, pixel[0], pixel[1], point[0], point[1], point[2]);
                 if (i == 3)
                     assert_true(before.value[1] == p->value[1]);
                 memcpy(p->value, before.value, sizeof p->value);
             }
 }
 
-// The value stops at the range; no drag loses a handle, and one behind the camera does not move.
+// The value stops at the end of its range, no drag loses a handle, and a handle behind the camera
+// does not move.
 TEST(a_handle_stays_in_its_range)
 {
     struct handle handle[HANDLES_MOST];

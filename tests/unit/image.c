@@ -1,5 +1,6 @@
-// Unit tests of common/picture/image.c: pictures created, written and refused. Reading is tested in
-// image_read.c, comparing in image_compare.c.
+// image.c - tests image.c and image_write.c of common/picture: pictures are created and written,
+// and files that cannot be written are refused. image_read.c tests reading, and image_compare.c
+// tests comparing.
 #include "lib/test.h"
 
 #include <limits.h>
@@ -17,8 +18,8 @@
 
 enum { NOBODY = 65534, OPENS = 50 };
 
-// Replaces the system's write with one that accepts at most write_most bytes. The parameters have
-// the names of Debian's header, because clang-tidy objects otherwise.
+// Replaces the system's write with a function that writes at most write_most bytes per call. The
+// parameters are named as in Debian's header, because clang-tidy objects to other names.
 static size_t write_most = SIZE_MAX;
 
 ssize_t write(int __fd, const void *__buf, size_t __n)
@@ -84,7 +85,7 @@ IN_FOLDER(random_pixels_come_back)
     }
 }
 
-IN_FOLDER(the_file_is_an_srgb_png_for_everybody)
+IN_FOLDER(the_file_is_an_srgb_png_with_permissions_from_umask)
 {
     const struct picture_folder *in = *state;
     struct image image = picture_random(5, 5);
@@ -96,9 +97,9 @@ IN_FOLDER(the_file_is_an_srgb_png_for_everybody)
     assert_int_equal(stat(in->target, &status), 0);
     assert_int_equal(status.st_mode & 0777, 0640);
     picture_bytes(in->target, bytes, sizeof bytes);
-    assert_memory_equal(bytes + 37, "sRGB", 4); // after the signature (8) and IHDR (25 + 4)
-    assert_int_equal(bytes[24], 8);             // bits
-    assert_int_equal(bytes[25], 2);             // colours, no palette, no transparency
+    assert_memory_equal(bytes + 37, "sRGB", 4); // after signature (8), IHDR (25) and length (4)
+    assert_int_equal(bytes[24], 8);             // bits per channel
+    assert_int_equal(bytes[25], 2);             // RGB without a palette or an alpha channel
     image_free(&image);
 }
 
@@ -132,7 +133,7 @@ IN_FOLDER(folders_that_are_missing_are_refused)
     image_free(&image);
 }
 
-IN_FOLDER(targets_that_are_no_files_are_refused)
+IN_FOLDER(targets_that_are_not_regular_files_are_refused)
 {
     const struct picture_folder *in = *state;
     struct stat before, after;
@@ -188,7 +189,7 @@ IN_FOLDER(a_short_write_is_continued)
 {
     const struct picture_folder *in = *state;
     struct image image = picture_random(37, 23);
-    write_most = 1000; // of more than 2,500 bytes
+    write_most = 1000; // the file has more than 2,500 bytes
     bool done = image_write_png(&image, in->target);
     write_most = SIZE_MAX;
     assert_true(done);
@@ -209,14 +210,14 @@ IN_FOLDER(writing_leaves_no_file_open)
     for (int i = 0; i < OPENS; i++)
         assert_true(image_check_target(in->target) && image_write_png(&image, in->target));
     assert_int_equal(system_open_files(), before);
-    // A write that fails because the file grows beyond its limit.
+    // A write that fails because the file exceeds its size limit leaves no file open either.
     struct rlimit limit, unlimited;
     assert_int_equal(getrlimit(RLIMIT_FSIZE, &unlimited), 0);
     limit = unlimited;
     limit.rlim_cur = 16;
     for (int i = 0; i < OPENS; i++) {
         setrlimit(RLIMIT_FSIZE, &limit);
-        write_most = 16; // so that a first part is written
+        write_most = 16; // the first part is written, and the second exceeds the limit
         bool done = platform_replace(in->target, "more than 16 bytes", 18) == 0;
         write_most = SIZE_MAX;
         setrlimit(RLIMIT_FSIZE, &unlimited);
@@ -246,7 +247,8 @@ IN_FOLDER(a_full_disk_leaves_the_old_file)
     image_free(&new);
 }
 
-// Run in a child without root's rights, because no permission stops root. The target must be
+// Check that the target is refused. The check is made in a child process without root's rights,
+// because permissions do not restrict root. Returns the child's status, which is 0 if the target is
 // refused.
 static int refused_as_nobody(const struct picture_folder *in)
 {
@@ -268,7 +270,7 @@ static int refused_as_nobody(const struct picture_folder *in)
     return status;
 }
 
-IN_FOLDER(what_is_protected_stays)
+IN_FOLDER(protected_files_stay)
 {
     const struct picture_folder *in = *state;
     struct image image = picture_random(4, 4);

@@ -1,5 +1,5 @@
-// Unit tests of tests/lib/compare.c: the two numbers that decide whether two pictures are the
-// same.
+// image_compare.c - tests tests/lib/compare.c, which computes the two measures f2 and b8 and
+// decides with them whether two pictures are the same.
 #include "lib/test.h"
 #include "lib/compare.h"
 #include "lib/image.h"
@@ -24,8 +24,8 @@ TEST(identical_pictures_do_not_differ)
     image_free(&b);
 }
 
-// The numbers for one pixel that is off by 64 in green, in a full block and in the corner block,
-// which is 3x5 pixels if the size is 203x101 = (25 * 8 + 3) x (12 * 8 + 5).
+// A single pixel differs, by 64 in green: first in a full block, then in the corner block, which is
+// 3x5 pixels because the picture has 203x101 = (25 * 8 + 3) x (12 * 8 + 5) pixels.
 TEST(one_pixel_counts_as_defined)
 {
     const double blocks = 26.0 * 13.0;
@@ -91,7 +91,7 @@ TEST(a_little_more_everywhere_is_caught)
     image_free(&b);
 }
 
-TEST(both_numbers_decide)
+TEST(both_measures_decide)
 {
     struct image_difference difference = {.f2 = 0.0005, .b8 = 0.15};
     assert_true(image_same(&difference));

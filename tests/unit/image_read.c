@@ -1,5 +1,5 @@
-// image_read.c - PNGs: every kind is read, and a file is refused if it is not a PNG, is broken or
-// is too large.
+// image_read.c - tests that every kind of PNG is read, and that a file is refused if it is not a
+// PNG, is broken or is too large.
 #include "lib/test.h"
 #include "picture/image.h"
 #include "lib/image.h"
@@ -7,7 +7,7 @@
 #include "lib/scratch.h"
 #include "lib/system.h"
 
-#define PIXELS (16384 * 1024) // of a picture, at most
+#define PIXELS (16384 * 1024) // most pixels that a picture may have
 
 // ---- Every kind of PNG ----
 
@@ -22,7 +22,7 @@ static void check_kind(const struct png_kind *kind)
         kind->type == PNG_COLOR_TYPE_PALETTE && kind->depth == 8 ? 16 : 1u << kind->depth;
     for (int i = 0; i < channels * WIDTH * HEIGHT; i++)
         sample[i] = (uint16_t)(png_random(3) == 0 ? png_random(4) % limit : png_random(limit));
-    sample[0] = sample[1] = sample[2] = channels == 1 ? 1 : 3; // what tRNS hides
+    sample[0] = sample[1] = sample[2] = channels == 1 ? 1 : 3; // transparent if the file has tRNS
     const char *path = png_file("kind.png", kind, WIDTH, HEIGHT, sample);
     for (int wanted = 3; wanted <= 4; wanted++) {
         if (!image_read_bytes(&bytes, path, wanted, 1000, why))
@@ -32,8 +32,8 @@ static void check_kind(const struct png_kind *kind)
             unsigned char texel[4];
             png_texel(kind, sample + channels * i, texel);
             if (memcmp(texel, bytes.value + wanted * i, (size_t)wanted) != 0)
-                fail_msg("type %d, %d bits, transparent %d: texel %d", kind->type, kind->depth,
-                         kind->transparent, i);
+                fail_msg("type %d, %d bits, transparent %d: texel %d is wrong", kind->type,
+                         kind->depth, kind->transparent, i);
         }
         free(bytes.value);
     }
@@ -61,7 +61,7 @@ TEST(every_kind_of_png_is_read)
         }
 }
 
-// ---- What is refused ----
+// ---- Files that are refused ----
 
 static void assert_refused(const char *name, const char *expected)
 {
@@ -87,9 +87,9 @@ TEST(a_file_that_is_not_a_picture_is_refused)
         assert_refused("fifo.png", "not a regular file");
 }
 
-// Each prefix of a file is refused, and so is a file with one byte changed. The last four bytes are
-// the checksum of the chunk that ends the file: the chunk is empty, and libpng 1.6.48 no longer
-// checks it.
+// Each prefix of a file is refused, and so is a file with one byte changed, except in the last four
+// bytes. These are the checksum of the empty chunk that ends the file, which libpng 1.6.48 no
+// longer checks.
 TEST(broken_pictures_are_refused)
 {
     unsigned char bytes[4096];
@@ -103,7 +103,7 @@ TEST(broken_pictures_are_refused)
         bytes[i] ^= 0x11;
         scratch_write_bytes("part.png", bytes, size);
         bytes[i] ^= 0x11;
-        assert_refused("part.png", ""); // a checksum covers every other byte of this file
+        assert_refused("part.png", ""); // the reason depends on the byte
     }
 }
 
@@ -116,7 +116,7 @@ TEST(sizes_have_their_limits)
     assert_refused("long.png", "longer than 16384 pixels: make the picture smaller");
     png_file("large.png", &kind, 16384, 1025, sample);
     assert_refused("large.png", "too many pixels");
-    // A width of 0 with a correct checksum, written here because libpng refuses to.
+    // A width of 0 with a correct checksum, patched into a file because libpng refuses to write it.
     unsigned char bytes[4096];
     const char *path = png_file("none.png", &kind, 4, 12, sample);
     size_t size = picture_bytes(path, bytes, sizeof bytes);
@@ -128,7 +128,7 @@ TEST(sizes_have_their_limits)
     assert_refused("zero.png", "Invalid IHDR");
 }
 
-// ---- Files ----
+// ---- Open files ----
 
 TEST(reading_leaves_no_file_open)
 {

@@ -1,11 +1,12 @@
-// inspector.c - the table of one ray and its marks: which rows are visible, that nothing important
-// is covered, and the positions of dot and arrow. No picture is drawn: boxes are compared.
+// inspector.c - tests the table of the selected ray and the marks on the ray: which rows are
+// visible, that the table covers nothing important, and where the dot and the arrow are. The tests
+// draw no picture, but compare the rectangles of the overlay.
 #include "lib/test.h"
 #include "picture/panel.h"
 #include "picture/pen.h"
 
 enum { STEPS = 60 };
-#define TABLE_WIDTH 190.0f // units
+#define TABLE_WIDTH 190.0f // units of the overlay
 
 static struct overlay overlay;
 static struct parameter parameters[] = {{.name = "long", .components = 1, .unit = "metres"},
@@ -56,7 +57,7 @@ static bool coloured(const struct overlay_rectangle *box, struct overlay_colour 
     return memcmp(&box->colour, &colour, sizeof colour) == 0;
 }
 
-// The background of the ray's table; NULL if there is none.
+// Find the background of the ray's table. Returns NULL if there is no table.
 static const struct overlay_rectangle *table(void)
 {
     const struct overlay_rectangle *found = NULL;
@@ -69,7 +70,8 @@ static const struct overlay_rectangle *table(void)
     return found;
 }
 
-// The height at which a line of text is drawn; -1 if it is not drawn.
+// Find the upper edge of a line of text, in units of the overlay. Returns -1 if the text is not
+// drawn.
 static float height_of(const char *text)
 {
     struct overlay words = {0};
@@ -87,7 +89,7 @@ static float height_of(const char *text)
     return top;
 }
 
-TEST_WITH(the_row_of_the_step_is_in_sight_and_marked, set_up, NULL)
+TEST_WITH(the_row_of_the_step_is_visible_and_marked, set_up, NULL)
 {
     for (int k = 0; k < STEPS; k++) {
         char heading[64], t[32];
@@ -102,7 +104,7 @@ TEST_WITH(the_row_of_the_step_is_in_sight_and_marked, set_up, NULL)
                 band = overlay.rectangle[i].top;
         assert_true(band <= row && band + OVERLAY_LINE > row + 2.0f);
     }
-    // All steps are shown: the last rows are visible, and none is marked.
+    // If all steps are shown, the last rows are visible and no row is marked.
     gather(640, 360, 10, 20, 0.0f);
     assert_true(height_of("7.37500") > 0.0f && height_of("last steps of pixel 10, 20") > 0.0f);
     for (int i = 0; i < overlay.count; i++)
@@ -128,8 +130,9 @@ static void assert_apart_from_the_chapter(const struct overlay_rectangle *box)
         assert_true(box->left >= chapter->right || box->top >= chapter->bottom);
 }
 
-// The pixel may be anywhere, in a picture of any size.
-TEST_WITH(the_table_leaves_the_pixel_free, set_up, NULL)
+// The selected pixel is at each point of a grid over the whole picture, for five sizes of the
+// picture.
+TEST_WITH(the_table_does_not_cover_the_pixel, set_up, NULL)
 {
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         for (int k = 0; k < 17 * 9; k++) {
@@ -148,8 +151,8 @@ TEST_WITH(the_table_leaves_the_pixel_free, set_up, NULL)
         }
 }
 
-// The pinned ray has many directions and goes through many points.
-TEST_WITH(the_table_leaves_a_ray_free_that_is_seen_from_aside, set_up, NULL)
+// The pinned ray starts at each of 12 points, in 24 directions.
+TEST_WITH(the_table_does_not_cover_a_ray_seen_from_the_side, set_up, NULL)
 {
     probe.pinned = true;
     int shown = 0;
@@ -169,7 +172,7 @@ TEST_WITH(the_table_leaves_a_ray_free_that_is_seen_from_aside, set_up, NULL)
     assert_true(shown == 288);
 }
 
-TEST_WITH(slice_and_plot_keep_their_ray_free, set_up, NULL)
+TEST_WITH(no_panel_covers_the_ray_of_a_slice_or_plot, set_up, NULL)
 {
     for (int view = SHADER_SLICE; view <= SHADER_PLOT; view++)
         for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
@@ -180,7 +183,7 @@ TEST_WITH(slice_and_plot_keep_their_ray_free, set_up, NULL)
             assert_true(table() != NULL || sizes[i][0] < 640);
             for (int k = 0; k < overlay.count && sizes[i][0] >= 640; k++)
                 assert_true(overlay.rectangle[k].bottom < ray - 20.0f);
-            // There is no cross: the pixel has no position in these views.
+            // There is no cross, because the pixel has no position in these views.
             for (int k = 0; k < overlay.count; k++)
                 assert_false(coloured(&overlay.rectangle[k], PEN_HERE));
         }
@@ -212,9 +215,9 @@ TEST_WITH(a_dot_and_an_arrow_are_on_the_ray, set_up, NULL)
         }
         assert_int_equal(dots, 1);
         assert_int_equal(arrows, 1);
-        assert_int_equal(ways, row); // the ray as far as the current step
+        assert_int_equal(ways, row); // a line for each step before the current one
     }
-    // Points behind the camera have no position, and no line leads there.
+    // A point behind the camera has no position in the picture, so it gets no dot and no arrow.
     probe.step[20].seen = false;
     gather(640, 360, 10, 10, 21.0f);
     for (int i = 0; i < overlay.count; i++)

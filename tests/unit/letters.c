@@ -1,5 +1,5 @@
-// letters.c - the letters of the overlay: texts are read as UTF-8, the font has every character
-// that the course writes, and an image covers the area inside the outline.
+// letters.c - tests the letters of the overlay: texts are read as UTF-8, the font has every
+// character that the course uses, and the image of a letter covers the area inside its outline.
 #include "lib/test.h"
 #include "picture/letters.h"
 
@@ -20,25 +20,26 @@ TEST(texts_are_read_as_utf8)
         {"\n", 0xFFFD, 1},
         {"\x7f", 0xFFFD, 1},
         {"\xc2\x85", 0xFFFD, 2},         // a two-byte control character
-        {"\xa9x", 0xFFFD, 1},            // the middle of a character
-        {"\xc3x", 0xFFFD, 1},            // a character without its end
-        {"\xe2\x86", 0xFFFD, 2},         // cut off by the text's end
+        {"\xa9x", 0xFFFD, 1},            // a continuation byte without its start
+        {"\xc3x", 0xFFFD, 1},            // a start byte without its continuation
+        {"\xe2\x86", 0xFFFD, 2},         // a character cut off by the end of the text
         {"\xc1\x81", 0xFFFD, 2},         // an overlong encoding of A
         {"\xed\xa0\x80", 0xFFFD, 3},     // half of a surrogate pair
-        {"\xf4\x90\x80\x80", 0xFFFD, 4}, // beyond the last code
+        {"\xf4\x90\x80\x80", 0xFFFD, 4}, // beyond the last code point
         {"\xff", 0xFFFD, 1},
     };
     for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++) {
         const char *at = wanted[i].text;
         uint32_t code = letters_next(&at);
         if (code != wanted[i].code || at - wanted[i].text != wanted[i].bytes)
-            fail_msg("text %zu: %x, %d bytes", i, code, (int)(at - wanted[i].text));
+            fail_msg("text %zu is read as U+%04X, from %d bytes", i, code,
+                     (int)(at - wanted[i].text));
     }
 }
 
 // ---- The font ----
 
-// An image at a scale, copied: letters_find may move the table.
+// A copy of a letter's image, because letters_find may move the atlas.
 struct picture {
     struct letter letter;
     unsigned char pixel[128][128];
@@ -58,15 +59,15 @@ static struct picture picture_of(uint32_t code, float scale, int phase)
     return picture;
 }
 
-// A letter that the font lacks is drawn like this one.
+// True if the font lacks a letter, that is, if the letter looks like U+10FFFF, which no font has.
 static bool is_missing(uint32_t code)
 {
     struct picture missing = picture_of(0x10FFFF, 3.0f, 0), picture = picture_of(code, 3.0f, 0);
     return memcmp(&picture.pixel, &missing.pixel, sizeof picture.pixel) == 0;
 }
 
-// Accents of French and of its neighbours, capitals, Greek, what pages write in formulas, arrows,
-// quotes.
+// ASCII, accented letters of French and of other European languages, Greek, some Cyrillic,
+// punctuation, the symbols of formulas, arrows and shapes.
 static const char SIGNS[] =
     "!\"#$%&'()*+,-./"
     "0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`abcdefghijklmnopqrstuvwxyz{|}~"
@@ -74,7 +75,7 @@ static const char SIGNS[] =
     "αβγδεζηθικλμνξοπρςστυφχψωΓΔΘΛΞΠΣΦΨΩцукен"
     "–—‘’“”…•′″‹›₀₁₂₃ⁿ€ℝ←↑→↓↔⇒∂∇∈∏∑−∘√∞∥∧∨∩∪∫≈≠≤≥⊂⋅⌈⌉⌊⌋■□▲▶▼◀●○✓";
 
-TEST(the_font_has_the_signs_of_the_course)
+TEST(the_font_has_the_characters_of_the_course)
 {
     for (const char *at = SIGNS; *at != '\0';) {
         uint32_t code = letters_next(&at);
@@ -85,8 +86,8 @@ TEST(the_font_has_the_signs_of_the_course)
     assert_true(is_missing(0x1F600));
 }
 
-// Columns of numbers are aligned: every digit has the same width.
-TEST(digits_have_one_width)
+// Columns of numbers are aligned because every digit has the same width.
+TEST(digits_have_the_same_width)
 {
     for (uint32_t digit = '1'; digit <= '9'; digit++)
         assert_true(letters_advance(digit) == letters_advance('0'));
@@ -107,10 +108,10 @@ static double covered(const struct picture *picture, double *middle)
     return sum;
 }
 
-// The black square is 1407 of 2048 parts of the em wide and 1568 high, according to its outline in
-// the font's file. Its image covers that many pixels at every scale; and a later phase moves it by
-// a quarter of a pixel.
-TEST(an_image_covers_what_the_outline_does)
+// According to its outline in the font's file, the black square is 1407/2048 of the em wide and
+// 1568/2048 high. Its image covers the same area at every scale, and each phase moves the image by
+// another quarter of a pixel.
+TEST(an_image_covers_the_area_of_the_outline)
 {
     static const double scales[] = {1.0, 1.5, 2.0, 3.0, 8.0};
     for (size_t i = 0; i < sizeof scales / sizeof *scales; i++) {
@@ -118,17 +119,19 @@ TEST(an_image_covers_what_the_outline_does)
         double wide = 1407.0 * em, high = 1568.0 * em;
         for (int phase = 0; phase < LETTERS_PHASES; phase++) {
             struct picture picture = picture_of(0x25A0, (float)scales[i], phase);
-            // Each pixel of the edge is rounded to 1/255, and the others are full.
+            // Pixels on the edge are rounded to multiples of 1/255, and the others are fully
+            // covered.
             assert_true(fabs(covered(&picture, &middle) - wide * high) <=
                         2.0 * (wide + high + 4.0) / 255.0);
             first = phase == 0 ? middle : first;
-            // The smallest square has 52 pixels of which 26 are rounded.
+            // The smallest square covers an area of 52 pixels, and 26 of its pixels are rounded.
             assert_true(fabs(middle - first - 0.25 * phase) <= 0.02);
         }
     }
 }
 
-// Each image keeps its contents while others are added; at another scale, all are drawn again.
+// Each image keeps its contents while other images are added. At another scale, all images are
+// drawn again.
 TEST(images_do_not_disturb_each_other)
 {
     struct letters letters = {0};

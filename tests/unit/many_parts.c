@@ -1,5 +1,5 @@
-// many_parts.c - the claims of chapter 22, in double precision: each method is compared with the
-// flat loop.
+// many_parts.c - tests the claims of chapter 22 in double precision. Each method that skips
+// parts is compared with the loop over all parts.
 #include "lib/test.h"
 
 #include "lib/part_march.h"
@@ -12,17 +12,17 @@ static double drawn(int i, uint32_t seed)
     return paint_random(i, 0, seed);
 }
 
-// The dip: a fold of any number of distances is below the smallest of them by less than the width
-// of the blend.
+// The dip: the value of a fold is at most the smallest of its distances, and greater than the
+// smallest distance minus the width of the blend.
 TEST(the_dip_is_less_than_the_blend)
 {
-    assert_true(fabs(part_union(0.0, 0.0, K) + K / 6.0) < 1e-12); // of two
+    assert_true(fabs(part_union(0.0, 0.0, K) + K / 6.0) < 1e-12); // the dip of two equal distances
     double deepest = 0.0, value = 1e9;
-    for (int i = 0; i < 1000000; i++) { // equal distances: the deepest
+    for (int i = 0; i < 1000000; i++) { // equal distances have the deepest dip
         value = part_union(value, 0.0, K);
         deepest = fmax(deepest, -value / K);
     }
-    print_message("# a million equal distances: %.4f of the blend\n", deepest);
+    print_message("# the dip of a million equal distances is %.4f of the blend\n", deepest);
     assert_true(deepest > 0.99 && deepest < 1.0);
     for (int trial = 0; trial < 20000; trial++) {
         double least = 1e9;
@@ -36,17 +36,18 @@ TEST(the_dip_is_less_than_the_blend)
     }
 }
 
-// The order matters, so all methods keep it.
+// The value of a fold depends on the order of the parts, so all methods keep that order.
 TEST(the_fold_is_not_associative)
 {
     double k = K, left = part_union(part_union(0.0, 0.5 * k, k), 0.5 * k, k);
     double right = part_union(0.0, part_union(0.5 * k, 0.5 * k, k), k);
-    print_message("# %.6f and %.6f of the blend\n", left / k, right / k);
+    print_message("# the two groupings give %.6f and %.6f of the blend\n", left / k, right / k);
     assert_true(fabs(left - right) > 0.001 * k);
 }
 
-// Proof 1: what the fold loses if all distances that exceed the smallest by M k are left out.
-TEST(far_parts_may_be_left_out)
+// Proof 1: if a distance that exceeds the smallest by m k is left out, the value of the fold rises
+// by at most e^(-3 (m - 1)) k.
+TEST(distant_parts_may_be_left_out)
 {
     double worst[2] = {0.0, 0.0};
     for (int m = 2; m <= 3; m++)
@@ -58,18 +59,19 @@ TEST(far_parts_may_be_left_out)
                 d = i == 0 ? last : fmax(d, 0.0);
                 last = d;
                 all = part_union(all, d, K);
-                near = i == 0 ? near : part_union(near, d, K); // the first is left out
+                near = i == 0 ? near : part_union(near, d, K); // the first distance is left out
             }
             double loss = (near - all) / K;
             assert_true(loss >= -1e-12 && loss <= exp(-3.0 * (m - 1)));
             worst[m - 2] = fmax(worst[m - 2], loss);
         }
-    print_message("# worst loss of 2 k: %.5f k, of 3 k: %.6f k\n", worst[0], worst[1]);
+    print_message("# largest loss without a distance of 2 k: %.5f k; without one of 3 k: %.6f k\n",
+                  worst[0], worst[1]);
     assert_true(worst[0] > 1e-5);
 }
 
-// The rate of proof 1: a distance that lowers the value by d k multiplies a difference by e^(-3 d)
-// or less.
+// The rate in proof 1: a distance that lowers the value by d k multiplies a difference by at most
+// e^(-3 d).
 TEST(a_difference_shrinks_as_the_value_falls)
 {
     for (int i = 1; i <= 1000; i++) {
@@ -103,9 +105,10 @@ static void point(int i, double p[3])
         p[c] = grid->low[c] + grid->size * grid->cells[c] * paint_random(i, c, 3U);
 }
 
-// In the cell, the list gives the value of all parts, up to the loss of proof 1, wherever that
-// value is near 0. Elsewhere the value of the list is at least what the margin allows. The bound of
-// an empty cell is a lower bound.
+// Near the surface, the list of a cell gives the value of all parts, up to the loss of proof 1.
+// Outside the surface, the list's value is at least the value of all parts and, once it is capped
+// at the margin, at most k greater. In an empty cell, the cell's bound, less the distance to the
+// cell's centre, is a lower bound.
 TEST_WITH(the_lists_lose_nothing, build, clear)
 {
     int near = 0, empty = 0;
@@ -134,12 +137,14 @@ TEST_WITH(the_lists_lose_nothing, build, clear)
         if (all > 0.0)
             assert_true(few >= all - 1e-9 && fmin(few, PART_MARGIN * K) <= all + K);
     }
-    print_message("# %d points near the reef: %.6f k lost at most; %d in empty cells\n", near,
-                  worst, empty);
+    print_message(
+        "# %d points near the reef: the largest loss is %.6f k; %d points in empty cells\n", near,
+        worst, empty);
     assert_true(near > 100 && empty > 5000 && worst < exp(-3.0));
 }
 
-// The tree skips only parts that cannot change the value.
+// Without a bound, the tree gives the value of all parts. With a bound that is 0.1 too high, it
+// skips more parts, and the value changes by at most e^(-3) k.
 TEST_WITH(the_tree_loses_nothing, build, clear)
 {
     long asked = 0, bounded = 0;
@@ -151,8 +156,8 @@ TEST_WITH(the_tree_loses_nothing, build, clear)
         double hint = part_tree_distance(scene, p, all + 0.1, &bounded);
         assert_true(fabs(hint - all) <= exp(-3.0) * K);
     }
-    print_message("# of %d parts the tree evaluates %.1f, and %.1f with a bound\n", scene->count,
-                  (double)asked / 5000.0, (double)bounded / 5000.0);
+    print_message("# of %d parts, the tree evaluates %.1f without a bound and %.1f with a bound\n",
+                  scene->count, (double)asked / 5000.0, (double)bounded / 5000.0);
     assert_true(bounded < asked && asked < 5000L * scene->count);
 }
 
@@ -165,30 +170,31 @@ static double mean_asked(int count, enum part_means means, int *hits)
     return asked;
 }
 
-// All methods find the same surfaces, and with the grid the number of parts that are evaluated
-// hardly grows with the number of parts.
+// With every method, the same number of rays hit the heap. With the grid, a heap of 128 times as
+// many parts takes at most twice as many evaluations per ray.
 TEST(the_grid_evaluates_few_parts)
 {
     int hits[PARTS_MEANS], few, many;
     for (int means = 0; means < PARTS_MEANS; means++) {
         double asked = mean_asked(512, (enum part_means)means, &hits[means]);
-        print_message("# 512 parts, method %d: %.1f evaluated, %d hits\n", means, asked,
+        print_message("# 512 parts, method %d: %.1f evaluations per ray, %d hits\n", means, asked,
                       hits[means]);
         assert_true(hits[means] == hits[PARTS_FLAT] && hits[means] > 100);
     }
     double at_64 = mean_asked(64, PARTS_GRID, &few), at_8192 = mean_asked(8192, PARTS_GRID, &many);
-    print_message("# 64 parts: %.1f evaluated; 8192 parts: %.1f\n", at_64, at_8192);
+    print_message("# with the grid, %.1f evaluations per ray for 64 parts, %.1f for 8192\n", at_64,
+                  at_8192);
     assert_true(at_8192 <= 2.0 * at_64 && few > 100 && many > 100);
 }
 
-// Building the lists takes few distances: with 8,192 parts, a thirtieth of the product of parts and
-// cells.
+// Building the lists takes few distances: with 8,192 parts, fewer than a thirtieth of the number of
+// parts times the number of cells.
 TEST(the_lists_are_built_from_few_distances)
 {
     struct part_scene *reef = part_scene_build(reef_build, REEF_MOST, K);
     assert_non_null(reef);
     double cells = (double)reef->grid.cells[0] * reef->grid.cells[1] * reef->grid.cells[2];
-    print_message("# %.0f cells, %ld distances, %.1f per cell\n", cells, reef->grid.tests,
+    print_message("# %.0f cells take %ld distances, %.1f per cell\n", cells, reef->grid.tests,
                   (double)reef->grid.tests / cells);
     assert_true((double)reef->grid.tests < cells * REEF_MOST / 30.0);
     part_scene_free(reef);

@@ -1,6 +1,7 @@
-// mesh.c - shaders/textures/mesh.c, mesh_distance.c and mesh_obj.c: the distance to the clay
-// elephant's mesh, compared with the distance to every triangle; its sign, compared with the solid
-// angle of the whole mesh; the sign at a sharp corner; and meshes from files.
+// mesh.c - tests mesh.c, mesh_distance.c, mesh_obj.c, elephant.c and sweep.c of shaders/textures:
+// the distance to the clay elephant's mesh is compared with the distances to all triangles, and its
+// sign with the solid angle that the whole mesh subtends. Other tests check the sign at a sharp
+// corner, distances that are restored by sweeping, and meshes from files.
 #include "lib/test.h"
 
 #include "textures/elephant.h"
@@ -24,7 +25,7 @@ static double random_in(double low, double high, int i, uint32_t seed)
     return low + (high - low) * paint_random(i, 0, seed);
 }
 
-// Every other point is near the surface, where a wrong sign would be visible.
+// A random point. Every other point is near the surface, where a wrong sign would be visible.
 static struct d3 point_of(const struct triangles *t, int i)
 {
     struct d3 p =
@@ -35,7 +36,7 @@ static struct d3 point_of(const struct triangles *t, int i)
     return d3_add(at, d3_times(0.02, p));
 }
 
-// ---- The truth ----
+// ---- Reference distances ----
 
 static double to_segment(struct d3 p, struct d3 a, struct d3 b)
 {
@@ -44,8 +45,8 @@ static double to_segment(struct d3 p, struct d3 a, struct d3 b)
     return d3_length(d3_sub(p, d3_add(a, d3_times(fmin(fmax(share, 0.0), 1.0), ab))));
 }
 
-// The distance to the plane if the point is on the inner side of all three edges, otherwise the
-// distance to an edge.
+// The distance to a triangle: the distance to its plane if p is on the inner side of all three
+// edges, otherwise the distance to the nearest edge.
 static double to_triangle(struct d3 p, const struct d3 v[3])
 {
     struct d3 normal = d3_cross(d3_sub(v[1], v[0]), d3_sub(v[2], v[0]));
@@ -59,8 +60,8 @@ static double to_triangle(struct d3 p, const struct d3 v[3])
     return above ? fabs(d3_dot(normal, d3_sub(p, v[0]))) / d3_length(normal) : edge;
 }
 
-// The solid angle of a triangle, with its sign. A. van Oosterom, J. Strackee, IEEE Transactions on
-// Biomedical Engineering 30 (1983).
+// The signed solid angle that a triangle subtends at p. Source: A. van Oosterom, J. Strackee, IEEE
+// Transactions on Biomedical Engineering 30 (1983).
 static double solid_angle(struct d3 p, const struct d3 v[3])
 {
     struct d3 a = d3_sub(v[0], p), b = d3_sub(v[1], p), c = d3_sub(v[2], p);
@@ -69,8 +70,8 @@ static double solid_angle(struct d3 p, const struct d3 v[3])
     return 2.0 * atan2(d3_dot(a, d3_cross(b, c)), under);
 }
 
-// The distance to all triangles, one by one. A point is inside if they fill the whole sphere of
-// directions.
+// The signed distance to the mesh, from the distance to each triangle. p is inside if the triangles
+// subtend the whole sphere of directions.
 static double true_distance(const struct triangles *t, struct d3 p)
 {
     double least = INFINITY, angle = 0.0;
@@ -84,8 +85,8 @@ static double true_distance(const struct triangles *t, struct d3 p)
 
 // ---- The elephant ----
 
-// Every distance is exact except for rounding, and no sign is wrong.
-TEST(the_distance_is_that_of_all_triangles)
+// Every distance is exact except for rounding errors, and no sign is wrong.
+TEST(the_distance_is_the_distance_to_all_triangles)
 {
     struct triangles t = elephant_mesh(2);
     struct mesh_tree tree = mesh_tree_build(&t);
@@ -98,15 +99,16 @@ TEST(the_distance_is_that_of_all_triangles)
         worst = fmax(worst, fabs(d - truth));
         inside += truth < 0.0;
     }
-    print_message("# %d triangles, %d points, %d inside; largest error %.2g\n", t.count, POINTS,
-                  inside, worst);
+    print_message("# %d triangles; %d points, of which %d are inside; largest error %.2g\n",
+                  t.count, POINTS, inside, worst);
     assert_true(worst < 1e-12);
     assert_in_range(inside, POINTS / 10, POINTS / 2);
     mesh_tree_free(&tree);
     triangles_free(&t);
 }
 
-// Each edge belongs to two triangles, in opposite directions; and V - E + F = 2, as for a sphere.
+// Each edge belongs to two triangles, which traverse it in opposite directions, and V - E + F = 2,
+// as for a sphere.
 TEST(the_mesh_is_closed)
 {
     for (int steps = 0; steps < 3; steps++) {
@@ -132,8 +134,9 @@ TEST(the_mesh_is_closed)
     }
 }
 
-// The stored bytes are the nearest ones; a distance outside the range is stored as its end.
-TEST(two_bytes_keep_a_distance)
+// The two bytes store the representable value nearest to a distance. A distance outside the range
+// is stored as the nearer end of the range.
+TEST(two_bytes_store_a_distance)
 {
     for (int i = 0; i < POINTS; i++) {
         double d = random_in(-1.2, 1.2, i, 9),
@@ -147,7 +150,7 @@ TEST(two_bytes_keep_a_distance)
 
 // ---- Normals ----
 
-TEST(angles_are_those_of_the_library)
+TEST(angles_agree_with_atan2)
 {
     for (int i = 0; i < POINTS; i++) {
         double a[3], b[3];
@@ -163,8 +166,8 @@ TEST(angles_are_those_of_the_library)
                      MIRROR_PI) < 1e-12);
 }
 
-// A spike: near its tip the normal of the nearest face, and the plain sum of the normals of the
-// faces around the tip, say inside for points that are outside.
+// Near the tip of a spike, the normal of a single face, or the unweighted sum of the normals of the
+// faces around the tip, would give the wrong sign for many points that are outside.
 TEST(a_sharp_corner_has_the_right_sign)
 {
     static double vertex[5][3] = {
@@ -191,16 +194,17 @@ TEST(a_sharp_corner_has_the_right_sign)
         by_sum += d3_dot(aside, sum) < 0.0;
         near_tip++;
     }
-    print_message("# nearest to the tip: %d; a face's normal is wrong %d times of %d, the plain "
-                  "sum %d times\n",
+    print_message("# %d points are nearest to the tip; the normal of a face is wrong in %d of %d "
+                  "cases, the unweighted sum in %d\n",
                   near_tip, by_face, 4 * near_tip, by_sum);
     assert_true(near_tip > 100 && by_face > near_tip / 10);
     mesh_tree_free(&tree);
 }
 
-// ---- Distances again ----
+// ---- Distances restored by sweeping ----
 
-// The largest error, in cells, of a ball's distances that are restored after they were distorted.
+// Distort the distances to a ball on a grid with side points on each axis, restore them by
+// sweeping, and return the largest error in cells.
 static double swept_error(int side)
 {
     double *value = mesh_memory((size_t)side * (size_t)side * (size_t)side, sizeof *value);
@@ -221,18 +225,20 @@ static double swept_error(int side)
     return worst;
 }
 
-// The error is a fraction of a cell, and grows no faster than the logarithm of the number of cells.
-TEST(sweeping_makes_distances_again)
+// The error is less than a cell on the coarsest grid, and grows by no more than the logarithm of
+// the ratio of the grids' sides.
+TEST(sweeping_restores_distances)
 {
     double coarse = swept_error(16), middle = swept_error(32), fine = swept_error(64);
-    print_message("# largest error, cells: 16 points %.3f, 32 points %.3f, 64 points %.3f\n",
-                  coarse, middle, fine);
+    print_message(
+        "# largest error in cells: %.3f with 16 points on each axis, %.3f with 32, %.3f with 64\n",
+        coarse, middle, fine);
     assert_true(coarse < 1.0 && fine < 1.0 + log(4.0));
     assert_true(fine < coarse + log(4.0));
 }
 
-// Near a plane the distances are exact, however much the values are distorted.
-TEST(sweeping_keeps_a_plane)
+// The distances to a plane are restored exactly from values that are five times as large.
+TEST(sweeping_restores_a_plane_exactly)
 {
     enum { FEW = 12 };
     double value[FEW * FEW * FEW];
@@ -258,16 +264,16 @@ static const char *read_text(const char *text, struct triangles *triangles)
 static const char tetrahedron[] = "# a comment\nv 1 1 1\nv 1 -1 -1\nv -1 1 -1 1.0\r\nv -1 -1 1\n"
                                   "vn 0 0 1\nf 1/1/1 2//1 3\nf 1 3 4\nf -4 -1 -3\nf 2 4 3\n";
 
-// The elephant's mesh, written with four corners for each face, is read again.
-TEST(an_obj_file_is_the_mesh_that_was_written)
+// The elephant's mesh is written with four corners per face, and read back.
+TEST(an_obj_file_gives_the_mesh_that_was_written)
 {
     struct triangles t = elephant_mesh(1), read;
     FILE *file = system_open_scratch();
     for (int i = 0; i < t.vertices; i++)
         fprintf(file, "v %.17g %.17g %.17g\n", t.vertex[i][0], t.vertex[i][1], t.vertex[i][2]);
-    for (int i = 0; i < t.count; i += 2) { // the two triangles of a square share a diagonal
+    for (int i = 0; i < t.count; i += 2) { // the two triangles of a face share a diagonal
         const int *a = t.corner[i], *b = t.corner[i + 1];
-        int lone = 0, k = 0; // the corner of b that a does not have, and vice versa
+        int lone = 0, k = 0; // corner of b that a lacks, and corner of a that b lacks
         while (b[lone] == a[0] || b[lone] == a[1] || b[lone] == a[2])
             lone++;
         while (a[k] == b[0] || a[k] == b[1] || a[k] == b[2])
@@ -292,8 +298,8 @@ TEST(an_obj_file_is_the_mesh_that_was_written)
     triangles_free(&read);
 }
 
-// The file has all kinds of indices. A mesh that is inside out is turned, and the mesh touches the
-// floor of the box.
+// The file has indices of every kind. A mesh that is inside out is reversed, and the mesh rests on
+// the floor of its box.
 TEST(a_mesh_fits_into_its_box)
 {
     static const double low[3] = {-0.5, -0.4, -0.5}, high[3] = {0.5, 0.8, 0.5};
@@ -308,8 +314,8 @@ TEST(a_mesh_fits_into_its_box)
         }
         mesh_fit(&t, low, high);
         struct mesh_tree tree = mesh_tree_build(&t);
-        // The corners are those of a cube with sides of 1, from -0.4 to 0.6; the faces are at a
-        // third of the way from its centre to a corner.
+        // The corners are four corners of a cube with sides of 1, with y from -0.4 to 0.6. A face
+        // is a third as far from the cube's centre as a corner.
         assert_true(fabs(mesh_distance(&tree, (const double[3]){0.0, 0.1, 0.0}) +
                          sqrt(0.75) / 3.0) < 1e-12);
         assert_true(fabs(mesh_distance(&tree, (const double[3]){0.5, 0.6, 0.5})) < 1e-12);
@@ -319,7 +325,7 @@ TEST(a_mesh_fits_into_its_box)
     }
 }
 
-TEST(files_that_are_no_mesh_are_refused)
+TEST(files_that_are_not_meshes_are_refused)
 {
     static const char *const refused[][2] = {
         {"", "no faces"},

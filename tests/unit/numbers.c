@@ -1,5 +1,6 @@
-// numbers.c - numbers that are read from words, and numbers that are written: of the command line,
-// of a sequence, of a probe, of --benchmark.
+// numbers.c - tests how numbers are read from the words of a command line, and how numbers are
+// written: in short form, in the file names of a sequence, and in the tables of a probe and of
+// --benchmark.
 #include "lib/test.h"
 #include "number.h"
 #include "picture/benchmark.h"
@@ -18,10 +19,10 @@ TEST(a_number_is_the_whole_word)
     double value;
     for (size_t i = 0; i < sizeof good / sizeof *good; i++)
         if (!number_read(good[i], &value) || value != 1.5)
-            fail_msg("'%s' is not 1.5", good[i]);
+            fail_msg("'%s' is not read as 1.5", good[i]);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         if (number_read(bad[i], &value))
-            fail_msg("'%s' is a number", bad[i]);
+            fail_msg("'%s' is accepted as a number", bad[i]);
     assert_int_equal(number_begin("2.5m", &value), 3);
     assert_int_equal(number_begin("2e", &value), 1);
 }
@@ -35,7 +36,7 @@ TEST(a_whole_number_has_its_limits)
                                       "3 ", " 3", "0x3", "99999999999999999999"};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         if (number_read_int(bad[i], -3, 7, &value))
-            fail_msg("'%s' is a whole number from -3 to 7", bad[i]);
+            fail_msg("'%s' is accepted as a whole number from -3 to 7", bad[i]);
 }
 
 TEST(a_number_is_written_short)
@@ -70,10 +71,10 @@ TEST(a_sequence_numbers_its_files)
                                       "%d%d", "%d%",   "%s", "%%d", "%d-%%"};
     for (size_t i = 0; i < sizeof good / sizeof *good; i++)
         if (!sequence_is_name(good[i]))
-            fail_msg("'%s' is no name", good[i]);
+            fail_msg("'%s' is refused as a name", good[i]);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         if (sequence_is_name(bad[i]))
-            fail_msg("'%s' is a name", bad[i]);
+            fail_msg("'%s' is accepted as a name", bad[i]);
     char path[16];
     assert_true(sequence_path("a-%04d.png", 7, path, sizeof path));
     assert_string_equal(path, "a-0007.png");
@@ -93,8 +94,8 @@ static void assert_spread(const double *values, int count, double least, double 
     memcpy(copy, values, (size_t)count * sizeof *values);
     struct benchmark_spread spread = benchmark_spread_of(copy, count);
     if (spread.minimum != least || spread.median != middle || spread.maximum != most)
-        fail_msg("%d numbers: %g, %g, %g, not %g, %g, %g", count, spread.minimum, spread.median,
-                 spread.maximum, least, middle, most);
+        fail_msg("minimum, median and maximum of %d numbers are %g, %g, %g, not %g, %g, %g", count,
+                 spread.minimum, spread.median, spread.maximum, least, middle, most);
 }
 
 TEST(a_median_is_in_the_middle)
@@ -125,7 +126,8 @@ static const struct benchmark numbers = {
     .cover = {.rays = 11, .march = 9.0, .bound = 6.0, .ratio = 1.5, .ray_ratio = 1.25},
 };
 
-// The text printed into a file, which is closed.
+// Read the text that was printed to a file, and close the file. Returns a text that is valid until
+// the next call.
 static const char *printed(FILE *file)
 {
     static char text[8192];
@@ -180,7 +182,7 @@ static void assert_says(const char *text, const char *wanted)
         fail_msg("no '%s' in\n%s", wanted, text);
 }
 
-TEST(every_number_is_at_its_name)
+TEST(every_number_has_the_right_name)
 {
     const char *text = benchmark_text(false);
     assert_says(text, "picture        30x20, time 1.5 s, samples per pixel: 9, frames: 7\n");

@@ -1,4 +1,5 @@
-// overlay.c - text and boxes over a picture: their positions and sizes, and nothing outside them.
+// overlay.c - tests that boxes, texts and panels over a picture have the right position and size,
+// and change nothing outside themselves.
 #include "lib/test.h"
 #include "picture/overlay.h"
 #include "picture/panel.h"
@@ -23,8 +24,9 @@ static struct image picture_of(const struct overlay *over)
     return image;
 }
 
-// The smallest box of whole pixels that contains all changes: left, top, right, bottom, where the
-// last two are just outside. Returns the number of changed pixels.
+// Compare two pictures, and return the number of pixels that differ.
+//   box  receives the smallest box of pixels that contains all differences: left, top, right and
+//        bottom, where right and bottom are just outside the box
 static int changes(const struct image *a, const struct image *b, int box[4])
 {
     int count = 0;
@@ -43,7 +45,8 @@ static int changes(const struct image *a, const struct image *b, int box[4])
     return count;
 }
 
-// Draw the collected boxes over the picture, and find what they changed.
+// Draw the overlay over the picture, and return the number of pixels that it changes.
+//   box  as for changes
 static int drawn(int box[4])
 {
     struct image without = picture_of(NULL), with = picture_of(&overlay);
@@ -68,7 +71,7 @@ TEST(a_box_covers_its_pixels)
     assert_int_equal(drawn(box), 0);
 }
 
-// A box of half a pixel changes it by half: 255 over a picture p gives p + (255 - p) / 2.
+// A white box that covers half of a pixel changes the pixel's value p to p + (255 - p) / 2.
 TEST(an_edge_inside_a_pixel_covers_its_share)
 {
     overlay_begin(&overlay, WIDTH, HEIGHT, 0.5f);
@@ -77,14 +80,14 @@ TEST(an_edge_inside_a_pixel_covers_its_share)
     size_t at = 3 * (30 * (size_t)WIDTH + 50);
     for (size_t k = at; k < at + 3; k++) {
         double half = without.pixel[k] + (255 - without.pixel[k]) / 2.0;
-        // Both pictures were rounded.
+        // The values of both pictures are rounded.
         assert_true(fabs(with.pixel[k] - half) <= 1.0);
     }
     image_free(&without);
     image_free(&with);
 }
 
-TEST(text_is_where_it_should_be)
+TEST(text_has_the_right_position_and_size)
 {
     int one[4], two[4];
     overlay_begin(&overlay, WIDTH, HEIGHT, 1.0f);
@@ -96,8 +99,8 @@ TEST(text_is_where_it_should_be)
     overlay_begin(&overlay, WIDTH, HEIGHT, 2.0f);
     overlay_text(&overlay, 40, 30, "march gives", WHITE);
     drawn(two);
-    // Letters are drawn for their size and not enlarged: each edge lies within the same fraction of
-    // a pixel.
+    // At the second scale the letters are drawn again rather than enlarged, so an edge may be up to
+    // two pixels from twice its old position.
     for (int i = 0; i < 4; i++)
         assert_true(abs(two[i] - 2 * one[i]) <= 2);
 }
@@ -109,7 +112,7 @@ TEST(a_letter_is_upright)
     overlay_begin(&overlay, WIDTH, HEIGHT, 4.0f);
     overlay_text(&overlay, 10, 10, "L", WHITE);
     drawn(box);
-    // Only the upper half counts, because the lower half is covered in both pictures.
+    // Only the upper half counts: in the lower half, the two pictures are made equal.
     struct image without = picture_of(NULL), with = picture_of(&overlay);
     size_t half = 3 * (size_t)WIDTH * (size_t)((box[1] + box[3]) / 2);
     memcpy(with.pixel + half, without.pixel + half, 3 * (size_t)WIDTH * HEIGHT - half);
@@ -128,8 +131,8 @@ TEST(any_text_can_be_drawn)
     overlay_text(&overlay, 0, 0, text, WHITE);
     overlay_text(&overlay, 0, 20, "", WHITE);
     int before = overlay.count;
-    overlay_text(&overlay, 0, 40, "\xc3\xa9 \n\x01\xff",
-                 WHITE); // é, a blank, two controls, no UTF-8
+    // The letter é, a space, two control characters, and a byte that is not UTF-8.
+    overlay_text(&overlay, 0, 40, "\xc3\xa9 \n\x01\xff", WHITE);
     static const uint32_t signs[] = {0xE9, 0xFFFD, 0xFFFD, 0xFFFD};
     assert_int_equal(overlay.count - before, 4);
     for (int i = 0; i < 4; i++)
@@ -138,8 +141,8 @@ TEST(any_text_can_be_drawn)
     assert_true(overlay_width(text) <= OVERLAY_TEXT * 10.0f);
 }
 
-// A frame drawn after another looks as if it were the first: with new, missing, moved
-// or recoloured parts, at one scale and the next.
+// A frame that is drawn after other frames looks the same as if it were the first, even if parts
+// are new, missing, moved or recoloured, or the scale has changed.
 TEST(a_frame_after_another_is_the_same)
 {
     static const struct overlay_colour other = {{200, 40, 90, 120}};
@@ -178,7 +181,7 @@ TEST(the_scale_follows_the_height)
     }
 }
 
-// Everything that the panel of a picture changes lies inside its background, which is one box.
+// The pixels that a picture's panel changes are bounded by the panel's background, which is a box.
 TEST(a_panel_changes_only_itself)
 {
     int box[4];

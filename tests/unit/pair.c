@@ -1,5 +1,6 @@
-// pair.c - two pictures side by side: each side is its own picture, to the last bit; the second
-// follows the first; the labels.
+// pair.c - tests two pictures side by side: each side is bit-for-bit identical to the picture that
+// is drawn alone, the second picture follows the settings of the first, and labels describe the
+// sides.
 #include "lib/test.h"
 #include "picture/comparison.h"
 #include "lib/gpu.h"
@@ -58,8 +59,8 @@ static float *numbers_of(struct renderer *renderer, const struct renderer_inputs
     return numbers;
 }
 
-// Check that each row shows the first picture on the left of the divider and the second one on the
-// right.
+// Check that each row shows the first picture to the left of the divider and the second picture to
+// the right.
 static void assert_sides(const float *both, const float *one, const float *other, int split)
 {
     size_t left = sizeof(float[4]) * (size_t)split, right = sizeof(float[4]) * WIDTH - left;
@@ -102,7 +103,7 @@ static double value_of(const struct renderer *renderer, const char *name)
     return parameters_find(&renderer->parameters, name)->value[0];
 }
 
-TEST(the_second_follows_but_in_its_own)
+TEST(the_second_picture_follows_except_in_its_own_values)
 {
     gpu.renderer.comparison = &comparison;
     assert_true(parameters_assign(&gpu.renderer.parameters, "bri=7"));
@@ -111,14 +112,14 @@ TEST(the_second_follows_but_in_its_own)
     gpu.renderer.focal_length = 1.5f;
     gpu.renderer.orthographic = 0.25;
     comparison_follow(&gpu.renderer);
-    assert_true(value_of(&second, "bri") == 4.0); // within its own range
+    assert_true(value_of(&second, "bri") == 4.0); // 7, clamped to the second picture's range
     assert_true(value_of(&second, "bright") == 0.75);
-    assert_true(value_of(&second, "kind") == 3.0); // another type
+    assert_true(value_of(&second, "kind") == 3.0); // unchanged, because the types differ
     assert_true(second.focal_length == 1.5f && second.orthographic == 0.25);
     assert_true(value_of(&gpu.renderer, "bright") == 0.125);
 }
 
-TEST(own_values_have_their_place_and_their_side)
+TEST(own_values_have_a_position_and_a_side)
 {
     static const char *const names[] = {"bright (left)", "bright (right)", "bri",
                                         "kind (left)",   "kind (right)",   "own (right)"};
@@ -146,7 +147,7 @@ TEST(own_values_have_their_place_and_their_side)
     assert_true(parameters_assign(&second.parameters, "bright=0.75"));
 }
 
-TEST(a_view_is_both_pictures)
+TEST(a_view_is_set_in_both_pictures)
 {
     struct renderer_inputs inputs = gpu_inputs(WIDTH, HEIGHT, 1);
     gpu.renderer.comparison = &comparison;
@@ -154,7 +155,7 @@ TEST(a_view_is_both_pictures)
     assert_int_equal(second.view, SHADER_DEPTH);
     assert_true(renderer_draw(&gpu.renderer, &inputs, 0, HEIGHT));
     assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
-    // If one side has no such view, both keep theirs.
+    // If one picture lacks the view, both pictures keep their old view.
     static const char toy[] = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }";
     for (int side = 0; side < 2; side++) {
         load_both(side == 0 ? toy : FIRST, side == 0 ? SECOND : toy);
@@ -174,7 +175,7 @@ TEST(a_view_is_both_pictures)
     "Ray pixelRay(vec2 screen) { return Ray(vec3(0.0), vec3(0.0, 0.0, -1.0)); }\n"                 \
     "vec3 rayColour(Ray ray) { return vec3(march(ray, 0.0, 9.0, 0.001, 64).t); }\n"
 
-// The curve of the side whose distances are larger is inside the picture too.
+// Both curves are inside the picture, although the distances of one side are eight times as large.
 TEST(a_plot_has_room_for_both_sides)
 {
     static const char *const scenes[] = {MARCHED "float sceneDistance(vec3 p) { return 0.5; }\n",
@@ -198,7 +199,7 @@ TEST(a_plot_has_room_for_both_sides)
     load_both(FIRST, SECOND);
 }
 
-TEST(a_probe_asks_the_side_of_its_pixel)
+TEST(a_probe_uses_the_side_of_its_pixel)
 {
     static struct probe probe;
     struct renderer_inputs inputs = gpu_inputs(WIDTH, HEIGHT, 1);
@@ -232,8 +233,8 @@ TEST(labels_say_what_differs)
     comparison.own_count = 0;
     comparison_text(&gpu.renderer, 0, text, sizeof text);
     assert_string_equal(text, "right.frag");
-    // A parameter that only the second picture has is listed once its value differs from the
-    // file's.
+    // A parameter that only the second picture has is listed only if its value differs from the
+    // value in the file.
     struct parameter glow = {.name = "glow", .components = 1, .value = {0.25}, .initial = {0.25}};
     const struct parameters all = second.parameters;
     second.parameters = (struct parameters){.item = &glow, .count = 1};
@@ -245,15 +246,14 @@ TEST(labels_say_what_differs)
     second.parameters = all;
 }
 
-// Nothing is cut off by the edge, whatever the divider, and each label is on its own side.
+// Wherever the divider is, the labels are completely inside the picture, and each label is on its
+// own side of the divider.
 TEST(labels_stay_on_their_side)
 {
     struct overlay overlay = {0};
     gpu.renderer.comparison = &comparison;
-    comparison.label[0] =
-        "a name that is longer than there is room on a small picture's left side.frag";
-    comparison.label[1] =
-        "another one, which is no shorter, for the picture that is at the right.frag";
+    comparison.label[0] = "a name that is too long for the left side of a small picture.frag";
+    comparison.label[1] = "another name, which is no shorter, for the picture on the right.frag";
     assert_true(overlay_open(&overlay, &gpu.context.gl));
     for (double divider = 0.0; divider <= 1.0; divider += 0.05)
         for (int size = 0; size < 3; size++) {

@@ -1,5 +1,5 @@
-// panel.c - the words of the overlay, and their positions: no picture is drawn here; letters and
-// their positions are compared.
+// panel.c - tests the words of the panels and their positions. The tests draw no picture, but
+// compare the letters of the overlay and their positions.
 #include "lib/test.h"
 #include "picture/panel.h"
 #include "picture/pen.h"
@@ -27,7 +27,7 @@ static int close_overlay(void **unused)
     return 0;
 }
 
-// Are the letters of a text at a position of the list, all moved by the same distance?
+// True if the rectangles from place on are the letters of a text, all moved by the same distance.
 static bool stands_at(const struct overlay_rectangle *text, int count,
                       const struct overlay_rectangle *expected)
 {
@@ -82,19 +82,19 @@ TEST(the_status_is_described)
     assert_true(says("H: help"));
     panel.resolution = 35;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
-    assert_true(says("H: help    35 % resolution")); // the hint is visible although something moves
+    assert_true(says("H: help    35 % resolution")); // the hint stays visible
     panel.sharp = 40;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(says("H: help    35 % resolution, sharpening: 40 %"));
     panel.sharp = 100;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(says("H: help") && !says("resolution"));
-    panel.rate = 0.0; // at rest
+    panel.rate = 0.0; // the picture is at rest, so there is no rate
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(says("view: picture    16.7 ms    time 20.0 s    paused"));
 }
 
-TEST(the_large_form_names_the_textures)
+TEST(the_complete_table_names_the_textures)
 {
     struct texture textures[] = {{.name = "granite"}, {.name = "noise"}};
     struct panel panel = {
@@ -108,8 +108,8 @@ TEST(the_large_form_names_the_textures)
     renderer.textures = (struct textures){NULL, 0};
 }
 
-// The range of a parameter that is not selected appears only in the whole table.
-TEST(the_table_is_whole_where_it_has_room)
+// The range of a parameter that is not selected appears only in the complete table.
+TEST(the_table_is_complete_if_there_is_room)
 {
     struct panel panel = {
         .renderer = &renderer, .title = "", .selected = &parameters[1], .pixel = {-1, -1}};
@@ -118,7 +118,7 @@ TEST(the_table_is_whole_where_it_has_room)
     panel.ranges = true;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(says("[0, 8]") && says("metres") && says("[0, 7]"));
-    float width = overlay.rectangle[0].right + 8.0f; // with the margin on its right
+    float width = overlay.rectangle[0].right + 8.0f; // including the panel's right margin
     panel_gather(&panel, &overlay, (int)width, 360, 1.0f);
     assert_true(says("[0, 8]"));
     panel_gather(&panel, &overlay, (int)width - 1, 360, 1.0f);
@@ -128,7 +128,7 @@ TEST(the_table_is_whole_where_it_has_room)
     assert_true(says("[0, 8]"));
 }
 
-// If there are more parameters than fit, the selected one is visible, with its details.
+// If there are more parameters than fit, the selected parameter is visible, with its details.
 TEST(a_panel_scrolls_to_the_selected_parameter)
 {
     enum { MANY = 20, HEIGHT = 240 };
@@ -148,12 +148,13 @@ TEST(a_panel_scrolls_to_the_selected_parameter)
         assert_true(says(panel.selected->name) && says(detail) && says("of 20"));
         assert_true(overlay.rectangle[0].bottom < HEIGHT);
     }
-    panel_gather(&panel, &overlay, 400, 70, 1.0f); // no room for even one
+    panel_gather(&panel, &overlay, 400, 70, 1.0f); // no room for a single parameter
     assert_true(says("20 parameters") && !says("0 to 0"));
 }
 
-// The panels of a chapter and a ray are side by side, or only the ray's fits and is shown.
-TEST(a_ray_comes_first_where_room_is_short)
+// The panels of the chapter and of the ray are side by side. If there is room for only one panel,
+// the ray's panel is shown.
+TEST(the_panel_of_a_ray_takes_precedence)
 {
     struct panel panel = {
         .renderer = &renderer, .title = "A title", .pixel = {1, 2}, .probe = &probe};
@@ -166,8 +167,9 @@ TEST(a_ray_comes_first_where_room_is_short)
     assert_true(says("A title"));
 }
 
-// The widest digits make the panel no wider than the narrowest ones, within a step of 20 units.
-TEST(a_panel_does_not_tremble)
+// The width of a panel's contents is rounded up to a multiple of 20 units, so that the panel keeps
+// its width while the digits of the frame rate change.
+TEST(a_panel_keeps_its_width)
 {
     struct panel panel = {.renderer = &renderer, .title = "", .rate = 11.0, .pixel = {-1, -1}};
     renderer.parameters.count = 0;
@@ -180,8 +182,8 @@ TEST(a_panel_does_not_tremble)
     renderer.parameters.count = 3;
 }
 
-// At any size and with any length of text, an error takes at most half of the picture's lines. At
-// any size that people use, nothing lies outside the picture.
+// In a picture of any size, a long error takes at most half the picture's height plus three lines.
+// In a picture of at least 320x180 units, nothing is outside the picture.
 TEST(a_panel_fits_any_picture)
 {
     char error[6000];
@@ -210,8 +212,8 @@ TEST(a_panel_fits_any_picture)
         }
 }
 
-// A line contains as much as fits, ends between words if there is a blank, and keeps the text's
-// indentation, by which an error marks a line of code.
+// A line contains as much text as fits, ends between words if there is a space, and keeps the
+// indentation, which marks a line of code in an error.
 TEST(a_line_ends_between_words)
 {
     static const char *const lines[] = {"here: a long", "reason", "    int x;", "aaaaaaaaaaaa",
@@ -228,8 +230,8 @@ TEST(a_line_ends_between_words)
     assert_false(pen_next_line(&at, limit, line));
 }
 
-// Check the rows from the top: their words and their positions, and that a position on a row finds
-// the row.
+// Check the words and the position of each row, from the top, and that panel_rows_at finds the row
+// at this position.
 TEST(rows_are_below_each_other)
 {
     static const char *const texts[] = {"A title",     "view: picture", "", "long",   "wide",
@@ -263,8 +265,9 @@ TEST(rows_are_below_each_other)
     panel_rows_free(&rows);
 }
 
-// The value at a position is shown at that position; in decades, the middle of [0.01, 1] is 0.1.
-TEST(a_place_is_a_value)
+// A value that is set from a position is shown at that position. On a logarithmic scale, the middle
+// of [0.01, 1] is 0.1.
+TEST(a_position_gives_a_value)
 {
     struct parameter linear = {.components = 1, .minimum = -2.0, .maximum = 6.0};
     struct parameter decades = {

@@ -1,4 +1,5 @@
-// parameter.c - parameters: how their values are set, changed, stored and printed.
+// parameter.c - tests how the values of parameters are set, changed, kept across a reload, and
+// printed.
 #include "lib/test.h"
 
 #include <locale.h>
@@ -106,7 +107,7 @@ TEST(test_key_presses)
     struct parameter *p = parameters_find(&read, "height");
     for (int i = 0; i < 10; i++)
         parameter_change(p, -1);
-    // The values must be exact: a sum of steps of 0.1 that drifts would miss 0 and 0.3.
+    // The values must be exact. A plain sum of steps of 0.1 would drift, and miss 0 and 0.3.
     assert_true(p->value[0] == 0.0);
     parameter_change(p, 3);
     assert_true(p->value[0] == 0.3);
@@ -136,14 +137,14 @@ TEST(test_key_presses)
     parameter_change(p, -1);
     parameter_number(p->value[0], 0.99);
     parameter_number(p->value[2], 0.49);
-    // 1 times 1.1 is rounded to 1, but a key press must change the value all the same.
+    // 1 times 1.1 is rounded to 1, but a key press must still change the value.
     p = parameters_find(&read, "more");
     parameter_change(p, 1);
     parameter_number(p->value[0], 2.0);
     parameters_free(&read);
 }
 
-TEST(test_a_value_edited_in_the_file_is_taken)
+TEST(test_a_value_edited_in_the_file_is_used)
 {
     struct parameters old = parameter_text("uniform float height; // 2 in [0, 9]: x\n"
                                            "uniform vec3 colour; // 0.1, 0.2, 0.3 in [0, 1]: x\n");
@@ -212,7 +213,8 @@ TEST(test_table)
     assert_printed(&read, "This shader has no parameters.\n");
 }
 
-// In French, a comma precedes the decimals; a shader and a command line still use a point.
+// In French and German, the decimal separator is a comma, but shaders and command lines still use a
+// point.
 TEST(test_another_locale)
 {
     static const char *const locales[] = {"fr_FR.UTF-8", "de_DE.UTF-8", "fr_FR", "de_DE"};

@@ -1,5 +1,5 @@
-// parameter_read.c - annotated uniforms: what declares a parameter, and what is refused in which
-// line.
+// parameter_read.c - tests annotated uniforms: which comments declare a parameter, and which are
+// refused, with the right line and reason.
 #include "lib/test.h"
 #include "lib/parameter.h"
 #include "lib/scratch.h"
@@ -116,7 +116,8 @@ TEST(test_types_and_default_steps)
     parameters_free(&read);
 }
 
-// A French keyboard types a no-break space; a terminal would obey an escape.
+// No-break spaces, which a French keyboard types, count as blanks. Control characters, which a
+// terminal would obey, become '?'.
 TEST(test_blanks_and_controls)
 {
     struct parameters read = parameter_text("uniform float a; //\xC2\xA0"
@@ -160,11 +161,11 @@ TEST(test_other_comments_declare_nothing)
                                             "uniform float p, q; // two of them\n"
                                             "uniform float s; // 3px: x\n");
     if (read.count != 0)
-        fail_msg("%s is not a parameter", read.item[0].name);
+        fail_msg("%s is read as a parameter", read.item[0].name);
     parameters_free(&read);
 }
 
-TEST(test_only_the_course_form_has_parameters)
+TEST(test_other_dialects_ignore_malformed_comments)
 {
     struct parameters parameters;
     struct shader_source source = parameter_source("uniform float a; // 1 in\n", DIALECT_WHOLE);

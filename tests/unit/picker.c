@@ -1,5 +1,5 @@
-// picker.c - the colour picker: it shows the colour that it returns; its position; and which part
-// of it is at a position.
+// picker.c - tests the colour picker: how colours are converted, that the picker shows the colours
+// that it sets, which of its parts is at a point, and which rows of a panel have a swatch.
 #include "lib/test.h"
 #include "picture/colour.h"
 #include "picture/panel.h"
@@ -28,7 +28,7 @@ static void assert_near(double a, double b, double most)
         fail_msg("%.9g is not %.9g", a, b);
 }
 
-// The six corners of the hues, a grey, and a colour worked out by hand.
+// The six hues at corners of the RGB cube, a grey, and a colour that was converted by hand.
 TEST(a_hue_is_a_colour)
 {
     static const double table[][6] = {{0, 1, 1, 1, 0, 0},         {1.0 / 6, 1, 1, 1, 1, 0},
@@ -46,7 +46,7 @@ TEST(a_hue_is_a_colour)
     }
 }
 
-TEST(a_code_has_its_light_again)
+TEST(encoding_reverses_decoding)
 {
     assert_near(colour_decode(0.5), 0.21404114, 1e-8);
     assert_near(colour_encode(0.18), 0.46135613, 1e-8);
@@ -54,8 +54,9 @@ TEST(a_code_has_its_light_again)
         assert_near(colour_encode(colour_decode(i / 255.0)), i / 255.0, 1e-6);
 }
 
-// A grid of 9 x 9 x 9 colours; values are rounded to a thousandth of the range.
-TEST(what_is_taken_is_given_back)
+// A grid of 9 x 9 x 9 colours. They come back exactly, because values are rounded to about a
+// thousandth of their range.
+TEST(a_colour_that_is_taken_is_given_back)
 {
     struct parameter *lamp = &parameters[1];
     for (int i = 0; i < 9 * 9 * 9; i++) {
@@ -69,7 +70,8 @@ TEST(what_is_taken_is_given_back)
     }
 }
 
-// A colour that is dragged to black and back keeps its hue; a value that is typed replaces it.
+// A colour that is dragged to black and back keeps its hue. A new value of the parameter replaces
+// the hue.
 TEST(a_hue_outlives_grey)
 {
     struct parameter *lamp = &parameters[1];
@@ -91,8 +93,8 @@ TEST(a_hue_outlives_grey)
     assert_true(picker.hsv[0] == 0.0);
 }
 
-// The colour drawn at a position is the colour that a press there gives.
-TEST(the_square_shows_what_it_gives)
+// The colour that is drawn at a position is the colour that a press there chooses.
+TEST(the_square_shows_the_colours_that_it_sets)
 {
     struct picker picker = {
         .hsv = {0.6, 0.0, 1.0}, .left = 10, .top = 20, .width = 104, .height = 86, .side = 72};
@@ -101,7 +103,7 @@ TEST(the_square_shows_what_it_gives)
     for (int i = 0; i < 36; i++) {
         float x = 17.5f + 2.0f * (float)i, y = 27.5f + 60.0f * (float)(i % 7) / 7.0f;
         double shown[3] = {0}, rgb[3];
-        // All boxes at the position, without the last five, which are the marks.
+        // Blend all boxes at the position, except the last five, which mark the chosen colour.
         for (int k = 0; k < overlay.count - 5; k++) {
             const struct overlay_rectangle *r = &overlay.rectangle[k];
             double share = r->colour.channel[3] / 255.0;
@@ -121,8 +123,9 @@ TEST(the_square_shows_what_it_gives)
     assert_near(picker.hsv[0], 0.75, 1e-6);
 }
 
-// Only a colour has a swatch, and only for a pointer; without the colour's row there is no picker.
-TEST(a_swatch_is_a_colour_s)
+// Only the first row of a colour has a swatch. If the colour's rows are not shown, neither is the
+// picker.
+TEST(only_a_colour_has_a_swatch)
 {
     struct picker picker = {.width = 1.0f};
     struct panel panel = {.renderer = &renderer,
@@ -147,7 +150,7 @@ TEST(a_swatch_is_a_colour_s)
     const double many[3] = {0.123, 3.456, 1.234};
     memcpy(parameters[1].value, many, sizeof many);
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
-    assert_true(rows.width == wide); // the panel does not tremble while a colour is dragged
+    assert_true(rows.width == wide); // the panel keeps its width while a colour is dragged
     panel.rolled = true;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(picker.width == 0.0f);

@@ -1,6 +1,6 @@
-// picture.c - the pictures that the renderer draws with a shader: the position of each pixel,
-// samples, tiles, bands, bytes. The truth is a colour that C computes for the same position, or the
-// same picture at another size.
+// picture.c - tests the pictures that the renderer draws with a shader: positions of pixels,
+// samples, tiles, bands and bytes. The pictures are compared with colours that C computes for the
+// same positions, or with the same picture at another size.
 #include "lib/test.h"
 #include "lib/compare.h"
 #include "lib/gpu.h"
@@ -11,7 +11,8 @@ static void load_chapter(const char *stem)
     gpu_open_chapter(stem);
 }
 
-// The whole picture as floats, drawn in bands; the caller frees it.
+// Draw the whole picture, in bands of at most band rows, and return it as floats. The caller frees
+// them.
 static float *draw(const struct renderer_inputs *inputs, int band)
 {
     size_t row = 4 * (size_t)inputs->width;
@@ -25,9 +26,10 @@ static float *draw(const struct renderer_inputs *inputs, int band)
     return values;
 }
 
-// ---- Where each pixel is ----
+// ---- The position of each pixel ----
 
-// Shows 0.5 plus a quarter of the pixel's position, which is within [-2, 2] on both axes here.
+// Two shaders whose colour is 0.5 plus a quarter of the pixel's position. The colour is not clamped
+// for positions within [-2, 2] on both axes.
 #define COURSE_POSITION                                                                            \
     GPU_COURSE                                                                                     \
     "vec3 rayColour(Ray ray) { return 0.5 + 0.25 * ray.origin; }\n"
@@ -38,8 +40,8 @@ static float *draw(const struct renderer_inputs *inputs, int band)
     "out vec4 colour;\n"                                                                           \
     "void main() { colour = vec4(0.5 + 0.25 * FragCoord, 0.5, 1.0); }\n"
 
-// The largest distance, in pixels, between the position that a pixel of the target reports and its
-// real position.
+// The largest difference along an axis, in pixels, between the position that a pixel shows and its
+// true position.
 static double worst_position(const struct renderer_inputs *inputs, int band)
 {
     float *values = draw(inputs, band);
@@ -56,8 +58,9 @@ static double worst_position(const struct renderer_inputs *inputs, int band)
     return worst * inputs->height / 2.0;
 }
 
-// A float stores 0.5 + screen / 4 with an error of 2^-24, which is 4 * 2^-24 * height / 2 pixels.
-// An interpolated position has a few more rounding errors.
+// A float stores 0.5 + screen / 4 with an error of at most 2^-24, which is 4 * 2^-24 * height / 2
+// pixels. An interpolated position has a few more rounding errors.
+//   most  the largest error that is allowed, pixels
 static void check_positions(const char *text, double most)
 {
     assert_true(gpu_load_text(text));
@@ -69,22 +72,23 @@ static void check_positions(const char *text, double most)
             struct renderer_inputs inputs = gpu_inputs(sizes[i][0], sizes[i][1], samples);
             double worst = worst_position(&inputs, sizes[i][2]);
             if (worst > most)
-                fail_msg("%dx%d in bands of %d, %d samples: a pixel is %g pixels from its position",
+                fail_msg("%dx%d in bands of %d rows, %d samples: a pixel is %g pixels from its "
+                         "true position",
                          inputs.width, inputs.height, sizes[i][2], samples, worst);
         }
 }
 
-TEST(pixels_are_at_their_places)
+TEST(pixels_are_at_their_positions)
 {
     check_positions(COURSE_POSITION, 0.0005);
 }
 
-TEST(pixels_of_a_whole_file_are_at_their_places)
+TEST(pixels_of_a_whole_file_are_at_their_positions)
 {
     check_positions(WHOLE_POSITION, 0.0005);
 }
 
-// Wider than one band of renderer_picture: row 0 of the image is the top.
+// The picture takes several bands of renderer_picture. Row 0 of the image is the top row.
 TEST(a_picture_of_several_bands_has_no_seam)
 {
     assert_true(gpu_load_text(COURSE_POSITION));
@@ -105,15 +109,15 @@ TEST(a_picture_of_several_bands_has_no_seam)
             }
         }
     image_free(&image);
-    assert_true(worst <= 1); // 1: a value on the border between two bytes
+    assert_true(worst <= 1); // 1 for a value on the border between two bytes
 }
 
 // ---- Samples, bands ----
 
-// A pixel of several samples is the mean of the same samples taken as the pixels of a larger
-// picture.
-//   difference  from which values count as different
-//   most        the share of the values that may differ
+// Check that a pixel with several samples is the mean of the pixels at the same positions in a
+// larger picture.
+//   difference  values that differ by more than this count as different
+//   most        the largest fraction of the values that may be different
 static void check_mean(const char *stem, int samples, double difference, double most)
 {
     load_chapter(stem);
@@ -138,7 +142,8 @@ static void check_mean(const char *stem, int samples, double difference, double 
     free(all);
     double share = (double)differ / (3.0 * small.width * small.height);
     if (share > most)
-        fail_msg("%s, %d samples: %g of the values are not the mean", stem, samples, share);
+        fail_msg("%s, %d samples: the fraction of values that are not the mean is %g", stem,
+                 samples, share);
 }
 
 TEST(samples_are_the_mean_of_a_larger_picture)
@@ -149,23 +154,24 @@ TEST(samples_are_the_mean_of_a_larger_picture)
     check_mean("03_shadows", 4, 1e-6, 0.0);
 }
 
-// Thirds, and the interpolated position of a whole file, are not exact: a few samples on edges
-// change.
-TEST(samples_nearly_are_the_mean_of_a_larger_picture)
+// Thirds of a pixel and the interpolated position of a whole file are not exact, so a few samples
+// on edges differ.
+TEST(samples_are_nearly_the_mean_of_a_larger_picture)
 {
     check_mean("00_first_scene", 2, 2.0 / 255.0, IMAGE_F2_TOLERANCE);
     check_mean("00_first_scene", 3, 2.0 / 255.0, IMAGE_F2_TOLERANCE);
     check_mean("03_shadows", 3, 2.0 / 255.0, IMAGE_F2_TOLERANCE);
 }
 
-// A colour above 1 counts as 1 in its own sample; otherwise a bright edge would not be smoothed.
+// Each sample's colour is clamped to [0, 1] before the mean. Otherwise the edge of a bright surface
+// would not be smoothed.
 TEST(each_sample_is_clamped)
 {
     assert_true(gpu_load_text(
         GPU_COURSE "vec3 rayColour(Ray ray)\n"
                    "{\n"
-                   "    float across = 0.5 * (iResolution.y * ray.origin.x + iResolution.x);\n"
-                   "    return fract(across) < 0.5 ? vec3(4.0, -3.0, 0.5) : vec3(0.0, 1.0, 0.5);\n"
+                   "    float place = 0.5 * (iResolution.y * ray.origin.x + iResolution.x);\n"
+                   "    return fract(place) < 0.5 ? vec3(4.0, -3.0, 0.5) : vec3(0.0, 1.0, 0.5);\n"
                    "}\n"));
     struct renderer_inputs inputs = gpu_inputs(64, 48, 2);
     float *values = draw(&inputs, inputs.height);
@@ -175,8 +181,8 @@ TEST(each_sample_is_clamped)
     free(values);
 }
 
-// A window sharpens its picture from the top down, in parts of any number of rows; other pictures
-// and probes are drawn between them.
+// Check that a picture that is sharpened from the top down, in parts of any number of rows, equals
+// the whole picture bit for bit, even if other pictures are drawn between the parts.
 static void check_sharpened(enum shader_view view, int samples)
 {
     enum { PARTS = 6 };
@@ -203,7 +209,7 @@ static void check_sharpened(enum shader_view view, int samples)
     free(sharp);
 }
 
-TEST(a_picture_sharpened_in_parts_is_the_same_to_the_bit)
+TEST(a_picture_sharpened_in_parts_is_the_same_bit_for_bit)
 {
     load_chapter("03_shadows");
     check_sharpened(SHADER_PICTURE, 1);
@@ -219,11 +225,11 @@ TEST(a_picture_sharpened_in_parts_is_the_same_to_the_bit)
 
 static GLint look_up(GLuint program, const GLchar *name)
 {
-    fail_msg("program %u: '%s' is looked up in a draw", program, name);
+    fail_msg("program %u: a draw looks up '%s'", program, name);
     return -1;
 }
 
-// Locations are looked up when a program is linked.
+// The locations of uniforms are looked up when a program is linked, not when a picture is drawn.
 TEST(draws_look_up_no_uniform)
 {
     struct renderer_inputs inputs = gpu_inputs(32, 18, 2);
@@ -268,7 +274,7 @@ static GLenum make_no_floats(GLenum target)
     return driver.format == GL_RGBA32F ? GL_FRAMEBUFFER_UNSUPPORTED : driver.check(target);
 }
 
-TEST(where_no_target_has_floats_it_has_halves)
+TEST(without_float_targets_half_floats_are_used)
 {
     struct gl *gl = &gpu.context.gl;
     renderer_close(&gpu.renderer);
@@ -286,7 +292,7 @@ TEST(where_no_target_has_floats_it_has_halves)
     assert_true(renderer_open(&gpu.renderer, gl, gpu.root));
 }
 
-TEST(where_floats_do_not_blend_samples_are_added_as_halves)
+TEST(if_floats_do_not_blend_half_floats_are_used)
 {
     struct renderer_inputs inputs = gpu_inputs(220, 130, 2);
     struct gl *gl = &gpu.context.gl;
@@ -302,7 +308,8 @@ TEST(where_floats_do_not_blend_samples_are_added_as_halves)
     assert_int_equal(gpu.renderer.picture.format, GL_RGBA16F);
     load_chapter("03_shadows");
     float *halves = draw(&inputs, 130);
-    for (size_t i = 0; i < (size_t)(4 * 220 * 130); i++) // four sums below 1, truncated to 11 bits
+    // Each of the four sums is below 1, and is truncated to 11 bits.
+    for (size_t i = 0; i < (size_t)(4 * 220 * 130); i++)
         if (!(fabsf(halves[i] - wanted[i]) <= 4.0f / 2048.0f))
             fail_msg("value %zu is %g, not %g", i, (double)halves[i], (double)wanted[i]);
     free(wanted);
@@ -315,8 +322,8 @@ TEST(where_floats_do_not_blend_samples_are_added_as_halves)
 
 TEST(values_become_bytes)
 {
-    // A whole file writes each value as red, beside 0.25 and 0.75; it is not clamped before the
-    // target.
+    // A whole file writes each value as red, with 0.25 as green and 0.75 as blue. The value is not
+    // clamped before it is written to the target.
     static const struct {
         const char *value;
         unsigned char byte;
@@ -356,10 +363,11 @@ TEST(values_become_bytes)
     }
 }
 
-// ---- Shaders one after the other ----
+// ---- Pictures after other pictures ----
 
-// A view compiled later, and a shader that fails: neither changes the picture.
-TEST(what_came_before_leaves_no_trace)
+// A picture is not changed by a view that is compiled later, by another picture, or by a shader
+// that cannot be read.
+TEST(earlier_draws_leave_no_trace)
 {
     struct renderer_inputs inputs = gpu_inputs(96, 54, 1);
     load_chapter("02_lighting");

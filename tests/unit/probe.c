@@ -1,5 +1,5 @@
-// probe.c - the colour that --probe prints is the picture's. tests/unit/trace.c tests the steps of
-// the table, tests/unit/numbers.c how they are printed.
+// probe.c - tests that the colour that --probe prints is the picture's. tests/unit/trace.c tests
+// the steps in the table, and tests/unit/numbers.c tests how the steps are printed.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -14,8 +14,8 @@ static void load_chapter(const char *stem, struct renderer_inputs *inputs)
     inputs->camera = gpu_open_chapter(stem);
 }
 
-// At some pixels, the probe's colour equals the picture's to the last bit, whatever the bands and
-// samples of the picture, even while the slice view is shown.
+// Check that the probe's colour equals the picture's colour at 40 pixels, however many bands and
+// samples the picture has, even while the slice view is shown.
 static void check_colours(const struct renderer_inputs *inputs, enum shader_view view)
 {
     struct image image = {0};
@@ -34,7 +34,7 @@ static void check_colours(const struct renderer_inputs *inputs, enum shader_view
     assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
 }
 
-TEST(test_colour_is_the_picture_s)
+TEST(test_probe_has_the_colour_of_the_picture)
 {
     static const char *const stems[] = {"03_shadows", "06_sierpinski_symmetry",
                                         "08_orthographic_view", "09_sky_and_sunset",

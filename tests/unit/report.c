@@ -1,9 +1,11 @@
-// report.c - messages on standard error: one line, which no name in it can break.
+// report.c - tests messages on standard error: a message is one line, which no name in it can
+// break.
 #include "lib/test.h"
 #include "report.h"
 #include "lib/scratch.h"
 
-// The text that report() makes of a message, which is printed on standard error and kept.
+// Report a text, and return what is printed on standard error. report_last() must return the same
+// text.
 static const char *reported(const char *text)
 {
     capture_begin();
@@ -19,13 +21,13 @@ TEST(control_characters_are_shown_not_obeyed)
     assert_string_equal(reported("two\nlines\r\n"), "two?lines??\n");
     assert_string_equal(reported("a\tb\x1b[31m\x07\x7f\x01\x1f"), "a?b?[31m????\n");
     assert_string_equal(reported("\xc2\x80-\xc2\x9b[m\xc2\x9f"), "?-?[m?\n");
-    // Letters remain: e with an accent, a no-break space, and characters that only look like
-    // controls.
+    // Other characters remain: é, a no-break space, and characters with bytes that look like
+    // control characters.
     assert_string_equal(reported("\xc3\xa9 \xc2\xa0 \xc3\x9b \xe2\x82\xac ~"),
                         "\xc3\xa9 \xc2\xa0 \xc3\x9b \xe2\x82\xac ~\n");
 }
 
-TEST(lines_may_be_several)
+TEST(a_text_may_have_several_lines)
 {
     capture_begin();
     report_lines("one\n\ttwo\x1b[m\r\n");

@@ -1,11 +1,13 @@
-// resolution.c - the resolution of a window's picture, with an artificial clock.
+// resolution.c - tests how the resolution of a window's picture is chosen, with simulated frame
+// times.
 #include "lib/test.h"
 #include "window/resolution.h"
 
 enum { FRAMES = 60 };
 static const double pixels = 960.0 * 540.0;
 
-// A frame takes a fixed time, plus a cost for each pixel; to enlarge it takes the time beside.
+// A frame takes a fixed time, plus a cost per pixel, in seconds. Enlarging the frame takes the time
+// beside, in seconds.
 struct machine {
     double fixed, cost, beside;
 };
@@ -23,7 +25,7 @@ static int draw_frame(struct resolution *resolution, const struct machine *machi
     return level;
 }
 
-// Numbers from -1 to 1, the same in every run.
+// A random number in [-1, 1), from a sequence that is the same in every run.
 static double chance(void)
 {
     static uint32_t state = 1;
@@ -44,9 +46,10 @@ TEST(sides_follow_the_level)
     assert_true(fabs(resolution_divisor(RESOLUTION_COARSEST) - 8.0) < 1e-12);
 }
 
-// Whatever the time of a frame, as long as it is constant: the level moves in one direction and
-// then stays, at a time between the limits, or at an end.
-TEST(it_comes_to_rest)
+// If the time of a frame is constant at each level, the level moves in only one direction and then
+// stays. A frame then takes at most RESOLUTION_SLOW, unless the level is the coarsest, and the
+// next finer level is predicted to take at least RESOLUTION_QUICK.
+TEST(the_level_settles)
 {
     for (double full = 1e-3; full < 20.0; full *= 1.07)
         for (int begin = 0; begin <= RESOLUTION_COARSEST; begin += 3)
@@ -72,8 +75,8 @@ TEST(it_comes_to_rest)
             }
 }
 
-// A clock that varies by 14 % moves the level at most once, and only in one direction.
-TEST(a_clock_that_trembles_makes_no_flicker)
+// Times that vary by up to 14 % change the level by at most one, and only in one direction.
+TEST(varying_times_cause_no_flicker)
 {
     for (double full = 0.02; full < 5.0; full *= 1.03) {
         struct machine machine = {0.0, full / pixels, 0.01};
@@ -93,7 +96,7 @@ TEST(a_clock_that_trembles_makes_no_flicker)
     }
 }
 
-// One frame in three that takes ten times as long, or no time, has no effect.
+// If every third frame takes ten times as long, or no time, the level does not change.
 TEST(a_single_slow_frame_changes_nothing)
 {
     struct machine machine = {0.0, 0.4 / pixels, 0.01};
@@ -109,7 +112,8 @@ TEST(a_single_slow_frame_changes_nothing)
     }
 }
 
-// The level follows a lasting change at its second frame, and corrects a guess at the first.
+// The level follows a lasting change after its second frame, and corrects a guess after the first
+// frame.
 TEST(a_change_that_lasts_is_followed)
 {
     struct machine quick = {0.0, 0.03 / pixels, 0.01}, slow = {0.0, 1.2 / pixels, 0.01};
@@ -125,8 +129,8 @@ TEST(a_change_that_lasts_is_followed)
         assert_int_equal(draw_frame(&resolution, &slow, 1.0), coarse);
 }
 
-// Whatever time it takes, the filter changes at most once under a clock that varies by 15 %, with
-// one time in five ten times as long.
+// However long the edge filter takes, the choice of the filter changes at most once, although the
+// times vary by up to 15 % and every fifth time is ten times as long.
 TEST(the_filter_does_not_flicker)
 {
     for (double edge = 0.002; edge < 0.2; edge *= 1.05) {

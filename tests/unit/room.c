@@ -1,5 +1,5 @@
-// room.c - the camera stops at the ground and at the water: where a move ends, compared with the
-// room around the camera in double precision.
+// room.c - tests that the camera stops at the ground and at the water. The end of each move is
+// compared with the room around the camera, in double precision.
 #include <dirent.h>
 
 #include "lib/test.h"
@@ -12,7 +12,7 @@ static const char *const rooms[SCENES] = {
     [GROUND] = "p.y - 0.1",
     [BALL] = "length(p) - 1.1",
     [CORNER] = "min(p.y, p.x + 2.0) - 0.1",
-    [HILLS] = "(p.y - 0.3 * sin(2.0 * p.x) * cos(p.z)) / 1.2 - 0.1", // a lower bound
+    [HILLS] = "(p.y - 0.3 * sin(2.0 * p.x) * cos(p.z)) / 1.2 - 0.1", // a lower bound on the room
 };
 
 static double room_at(int scene, const float p[3])
@@ -49,8 +49,8 @@ static float random_from(unsigned *seed, float low, float high)
     return low + (high - low) * (float)(*seed >> 8) / 16777216.0f;
 }
 
-// As long as there is room, a move is unchanged, to the last bit.
-TEST(a_move_with_room_for_it_is_free)
+// A move to a position with room is unchanged, bit for bit.
+TEST(a_move_with_room_is_unchanged)
 {
     unsigned seed = 7;
     int moves = 0;
@@ -71,7 +71,7 @@ TEST(a_move_with_room_for_it_is_free)
     assert_true(moves > 100);
 }
 
-// Random walks, some in long steps, never end where there is no room.
+// Random walks, in which some steps are long, never reach a position without room.
 TEST(no_walk_leads_into_the_scene)
 {
     unsigned seed = 3;
@@ -84,7 +84,7 @@ TEST(no_walk_leads_into_the_scene)
                 to[k] = at[k] + random_from(&seed, -length, length) - (k == 1 ? 0.03f : 0.0f);
             keep(at, to);
             if (room_at(scene, to) < -1e-5)
-                fail_msg("scene %d, step %d: %g %g %g has room %g", scene, i, (double)to[0],
+                fail_msg("scene %d, step %d: the room at %g, %g, %g is %g", scene, i, (double)to[0],
                          (double)to[1], (double)to[2], room_at(scene, to));
             memcpy(at, to, sizeof at);
         }
@@ -106,7 +106,7 @@ TEST(the_camera_slides_along_the_ground)
     assert_float_equal(at[1], 0.1f, 0.001f);
 }
 
-// A camera that begins below the ground moves there, goes no deeper, and comes out.
+// A camera that begins below the ground can move sideways and upwards, but goes no deeper.
 TEST(a_camera_below_the_ground_can_leave_it)
 {
     const float from[3] = {0.0f, -2.0f, 0.0f};
@@ -120,8 +120,8 @@ TEST(a_camera_below_the_ground_can_leave_it)
     assert_float_equal(up[1], -1.5f, 1e-6f);
 }
 
-// Where there is no slope to follow, the camera stays.
-TEST(without_a_way_out_the_camera_stays)
+// If the room has no gradient to follow, the camera stays at its position.
+TEST(without_a_gradient_the_camera_stays)
 {
     const float from[3] = {0.0f, 0.5f, 0.0f};
     float to[3] = {0.0f, -0.5f, 0.0f};
@@ -130,7 +130,7 @@ TEST(without_a_way_out_the_camera_stays)
     assert_memory_equal(to, from, sizeof to);
 }
 
-// The function belongs to the scene: it reads parameters and what pixelRay prepares.
+// cameraRoom can read the scene's parameters and the variables that pixelRay sets.
 TEST(the_room_depends_on_the_scene)
 {
     const float from[3] = {0.0f, 5.0f, 0.0f};
@@ -148,7 +148,7 @@ TEST(the_room_depends_on_the_scene)
     }
 }
 
-// Without the function nothing is compiled, and no move is changed.
+// If a shader has no cameraRoom, no program is compiled for it, and no move is changed.
 TEST(a_scene_without_the_function_is_open)
 {
     const float from[3] = {0.0f, 1.0f, 0.0f};
@@ -159,8 +159,8 @@ TEST(a_scene_without_the_function_is_open)
     assert_int_equal(gpu.renderer.program[SHADER_ROOM], 0);
 }
 
-// Every chapter's camera begins at a permitted position: a camera that comes down to it from the
-// sky is not stopped.
+// Every chapter's camera begins at a position with room: a camera that comes down to this position
+// from the sky is not stopped.
 TEST(every_chapter_begins_with_room)
 {
     int asking = 0;

@@ -1,5 +1,5 @@
-// sampler.c - annotated samplers: what their comments say, where their files are searched for, what
-// is refused in which line, and the pictures of the command line.
+// sampler.c - tests annotated samplers: how their comments are read, where their files are searched
+// for, which errors are reported in which line, and how the command line replaces pictures.
 #include "lib/test.h"
 
 #include "shader/dialect.h"
@@ -9,9 +9,9 @@
 
 static struct shader_source source;
 static struct parameters parameters;
-static bool has_link; // the system has links
+static bool has_link; // the system supports symbolic links
 
-// The files are empty, because reading a sampler does not check that its file is a picture.
+// The PNG files are empty, because reading a sampler does not check that its file is a picture.
 static int set_up(void **state)
 {
     scratch_setup(state);
@@ -33,7 +33,8 @@ static void forget(void)
     parameters_free(&parameters);
 }
 
-// Read a shader in own/; returns the report.
+// Read a text as own/my.frag. Returns what was reported.
+//   done  receives whether the text and its parameters were read
 static const char *read_asked(const char *text, const struct shader_request *request, bool *done)
 {
     const char *path = scratch_write("own/my.frag", text);
@@ -58,7 +59,7 @@ static void assert_refused(const char *text, const char *where, const char *why)
     bool done;
     const char *said = read_asked(text, NULL, &done);
     if (done || line_count(said) != 1 || strstr(said, where) == NULL || strstr(said, why) == NULL)
-        fail_msg("%s: not refused in one line with '%s' and '%s': %s", text, where, why, said);
+        fail_msg("%s: expected one line with '%s' and '%s', not: %s", text, where, why, said);
     assert_true(parameters.samplers.item == NULL && parameters.item == NULL);
 }
 
@@ -87,12 +88,13 @@ TEST(test_all_parts)
         assert_int_equal(s->slices, slices[i]);
         assert_true(s->srgb == srgb[i] && s->repeat == repeat[i]);
     }
-    // A window watches the files of a source, and no picture is written over them.
+    // The pictures are files of the source, so a window watches them, and no output overwrites
+    // them.
     assert_int_equal(source.file_count, 6);
     assert_string_equal(source.files[read->item[1].file], "shaders/textures/stone.png");
 }
 
-TEST(test_what_declares_none)
+TEST(test_texts_that_declare_no_sampler)
 {
     const struct samplers *read = samplers_of("#if 0\nuniform sampler2D a;\n#endif\n"
                                               "// uniform sampler2D b;\n"
@@ -110,7 +112,7 @@ TEST(test_what_declares_none)
     assert_int_equal(read->count, 0);
 }
 
-// Mistakes in a declaration, and the message for each.
+// Mistakes in a declaration, and a part of the message for each mistake.
 static const char *const wrong[][2] = {
     {"uniform sampler2D a;", "no picture is named"},
     {"uniform sampler2D a; // a stone", "no picture is named"},
@@ -185,7 +187,7 @@ static void note(void *to, const char *path)
     snprintf(all + strlen(all), 4096 - strlen(all), "%s\n", path);
 }
 
-// What a window must watch: each picture, and the possible locations of a missing one.
+// A window must watch each picture, and all possible locations of a missing picture.
 TEST(test_every_file_is_seen)
 {
     char seen[4096] = "";
@@ -212,7 +214,7 @@ static void assert_misfit(const char *text, const struct shader_request *request
     bool fits = samplers_fit(read, &source);
     const char *said = capture_end();
     if (fits || line_count(said) != 1 || strstr(said, why) == NULL)
-        fail_msg("not refused with '%s': %s", why, said);
+        fail_msg("expected one line with '%s', not: %s", why, said);
 }
 
 static const char two[] = "uniform sampler2D a; // \"stone.png\" sRGB repeat: x\n"

@@ -1,5 +1,5 @@
-// sculpt.c - shaders/textures/sculpt.c: clay that is added to a grid of distances or taken away,
-// against distances in double precision.
+// sculpt.c - tests shaders/textures/sculpt.c, which adds clay to a grid of distances or takes clay
+// away. The results are compared with distances in double precision.
 #include "lib/test.h"
 
 #include "textures/elephant.h"
@@ -28,7 +28,7 @@ static double stored(const unsigned char *grid, int i)
     return (2.0 * (256 * grid[4 * i] + grid[4 * i + 1]) / 65535.0 - 1.0) * ELEPHANT_RANGE;
 }
 
-// A ball around the centre. The caller frees it.
+// Make the grid of a ball around the centre. The caller frees the grid.
 static unsigned char *ball(void)
 {
     unsigned char *grid = mesh_memory(BYTES, 1);
@@ -50,7 +50,8 @@ static double to_roll(const double p[3], double radius)
     return length(way) - radius;
 }
 
-// Work along the line between them, in this number of pieces.
+// Carry out a stroke between these points, in this number of pieces.
+//   radius  of the roll; negative to take clay away
 static void work(unsigned char *grid, int pieces, double radius)
 {
     unsigned char *before = mesh_memory(BYTES, 1);
@@ -64,8 +65,9 @@ static void work(unsigned char *grid, int pieces, double radius)
     free(before);
 }
 
-// Where clay is added, the distance away from the blend is the smaller one. Where it is taken away,
-// the distance near the surface is the larger of the ball's and the negated distance of the roll.
+// Check the distances outside the blend. If clay is added, the distance is the smaller of the
+// distances to the ball and to the roll. If clay is taken away, the distance near the surface is
+// the larger of the distance to the ball and the negated distance to the roll.
 static void assert_near_truth(double radius)
 {
     unsigned char *grid = ball();
@@ -84,8 +86,9 @@ static void assert_near_truth(double radius)
         if (fabs(truth) < cell)
             beside = fmax(beside, error);
     }
-    print_message("# roll of %g: largest error %.3f cells, beside the surface %.3f\n", radius,
-                  worst, beside);
+    print_message("# roll with the radius %g: the largest error is %.3f cells, beside the surface "
+                  "%.3f cells\n",
+                  radius, worst, beside);
     assert_true(worst < 1.0);
     assert_true(beside < 0.3);
     free(grid);
@@ -101,7 +104,8 @@ TEST(clay_that_is_taken_away_leaves_a_groove)
     assert_near_truth(-0.12);
 }
 
-// Where the whole ball has been taken away, no value remembers its surface.
+// Once the whole ball has been taken away, all distances are large, so nothing remains of its
+// surface.
 TEST(nothing_remains_of_a_surface_that_is_gone)
 {
     unsigned char *grid = ball(), *before = ball();
@@ -134,7 +138,7 @@ TEST(a_stroke_in_pieces_is_the_same_stroke)
 
 // Points whose nearest surface is untouched keep their bytes, and no slices change except those
 // reported.
-TEST(what_is_far_from_a_stroke_stays)
+TEST(points_far_from_a_stroke_stay)
 {
     unsigned char *grid = ball(), *before = ball();
     int slices[2], changed = 0;
@@ -154,7 +158,7 @@ TEST(what_is_far_from_a_stroke_stays)
     free(before);
 }
 
-// A stroke that misses the grid, and one with the largest numbers.
+// Strokes outside the grid, of which one has huge coordinates, change nothing.
 TEST(a_stroke_outside_changes_nothing)
 {
     unsigned char *grid = ball(), *before = ball();
@@ -169,7 +173,7 @@ TEST(a_stroke_outside_changes_nothing)
     free(before);
 }
 
-// A roll that leaves the grid is cut off, so that its surface stays in the cube.
+// A roll that leaves the grid is cut off, so that its surface stays inside the cube of the grid.
 TEST(clay_stays_in_the_grid)
 {
     unsigned char *grid = ball(), *before = ball();
@@ -186,7 +190,8 @@ TEST(clay_stays_in_the_grid)
     free(before);
 }
 
-// After some strokes, no step of the march crosses the surface; and rays meet it.
+// After some strokes, no step of a march crosses the surface. A ray towards the clay hits it, and a
+// ray in the opposite direction does not.
 TEST(steps_are_safe_after_strokes)
 {
     const double root3 = sqrt(3.0);

@@ -1,6 +1,6 @@
-// shader_errors.c - a driver's errors, in terms of the author's own files and lines: logs of three
-// drivers as texts, then the messages of this machine's driver for real mistakes. And the views
-// that a file does not have.
+// shader_errors.c - tests that a driver's errors are reported with the author's files and lines:
+// first with sample logs in the formats of three drivers, then with real mistakes and this
+// machine's driver. The last test asks for views that a file does not have.
 #include "lib/test.h"
 
 #include "context/context.h"
@@ -29,11 +29,12 @@ static struct shader_source read_text(const char *text)
 
 // ---- Logs ----
 
-// The compiled lines: 1, 2 the prelude, 3 the include, 4 and 5 lib.glsl, 6 main.frag:2.
+// Of the lines that the driver compiles, lines 1 and 2 are the prelude, line 3 is the include,
+// lines 4 and 5 are lib.glsl, and lines 6 and 7 are lines 2 and 3 of main.frag.
 static const char course[] =
     "#include \"lib.glsl\"\n\tfloat f() { return y; }\nint g() { return 2; }\n";
 
-// The log must be explained like this; @ in expected stands for the path of the main file.
+// Check the explanation of a log. Each @ in expected stands for the path of main.frag.
 static void assert_explained(const char *text, const char *log, const char *expected)
 {
     struct shader_source source = read_text(text);
@@ -87,8 +88,8 @@ IN_PROJECT(test_others)
                      "@:2: warning: odd\n    float f() { return y; }\n");
 }
 
-// A whole file is preceded by two lines, the first for its #version; one for Shadertoy is followed
-// by its main.
+// Two lines precede a whole file, and the first line replaces the file's #version. A main follows a
+// file in Shadertoy's dialect, and an error there is reported for the file's last line.
 IN_PROJECT(test_other_dialects)
 {
     assert_explained("#version 330 core\nint f() { return 1.0; }\n", "0:4(11): error: bad\n",
@@ -103,7 +104,7 @@ IN_PROJECT(test_other_dialects)
                      "@:1: error: bad\n    void mainImage(out vec4 c, vec2 p) {\n");
 }
 
-IN_PROJECT(test_what_cannot_be_mapped_is_kept)
+IN_PROJECT(test_lines_that_cannot_be_mapped_are_kept)
 {
     assert_explained(course, "", "");
     assert_explained(course, "\n \n", "");
@@ -119,7 +120,8 @@ IN_PROJECT(test_what_cannot_be_mapped_is_kept)
                                 "0:5\n"};
     for (size_t i = 0; i < sizeof kept / sizeof *kept; i++)
         assert_explained(course, kept[i], kept[i]);
-    // An error at the end of the text is reported for the line after the last one.
+    // For a text that ends too early, the driver blames the line after the last line, but the
+    // explanation names the last line.
     assert_explained(course, "0:8(1): error: unexpected end of file\n",
                      "@:3: error: unexpected end of file\n    int g() { return 2; }\n");
 }
@@ -160,7 +162,8 @@ static const char library_ok[] = "float lib(float x)\n{\n    return 2.0 * x;\n}\
 static const char main_ok[] = "#include \"lib.glsl\"\nout vec4 colour;\nvoid main()\n{\n"
                               "    colour = vec4(lib(1.0));\n}\n";
 
-// Link a library and a main file; said receives the report.
+// Link a library and a main file. Returns the program, or 0 if the driver refuses the text.
+//   said  receives what was reported
 static GLuint link_files(const char *library, const char *text, const char **said)
 {
     struct shader_source vertex;
@@ -186,9 +189,9 @@ static void assert_blamed(const char *library, const char *text, const char *whe
     assert_int_equal(link_files(library, text, &said), 0);
     const char *location = strstr(said, where);
     if (strncmp(said, scratch_path("root/main.frag"), strlen(scratch_path("root/main.frag"))) != 0)
-        fail_msg("does not begin with the file: %s", said);
+        fail_msg("the message does not begin with the path of main.frag: %s", said);
     if (location == NULL || strstr(location, shown) == NULL)
-        fail_msg("'%s' or '%s' is missing in: %s", where, shown, said);
+        fail_msg("'%s', or '%s' after it, is missing in: %s", where, shown, said);
     assert_int_equal(driver.context.gl.GetError(), GL_NO_ERROR);
 }
 
@@ -201,7 +204,7 @@ IN_PROJECT(test_good_shader_links_in_silence)
     assert_int_not_equal(program, 0);
     assert_string_equal(said, "");
     driver.context.gl.DeleteProgram(program);
-    // Mesa warns about this one.
+    // This shader reads a variable that it never sets, about which Mesa would warn.
     program = link_files(
         library_ok, "out vec4 colour;\nvoid main()\n{\n    vec4 c;\n    colour = c;\n}\n", &said);
     assert_int_not_equal(program, 0);
@@ -219,7 +222,8 @@ IN_PROJECT(test_syntax_errors)
         "/root/main.frag:5: error: ", "\n    colour = = lib(1.0);\n");
 }
 
-// The driver finds a missing semicolon at the next token; the message names both lines.
+// The driver notices a missing semicolon only at the next token, so the message names the token's
+// line and the line where the semicolon may be missing.
 IN_PROJECT(test_a_missing_semicolon)
 {
     assert_blamed("float lib(float x)\n{\n    float y = x\n\n    return 2.0 * y;\n}\n", main_ok,
@@ -248,7 +252,7 @@ IN_PROJECT(test_whole_files)
                   "/root/main.frag:6: error: ", "\n    colour = vec4(none);\n");
 }
 
-IN_PROJECT(test_signs_that_are_no_glsl)
+IN_PROJECT(test_characters_outside_ascii)
 {
     assert_blamed(library_ok,
                   "#version 330 core\nout vec4 c; // é\nvoid main()\n{\n    float \xC3\xA9t;\n"

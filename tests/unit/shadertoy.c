@@ -1,13 +1,13 @@
-// shadertoy.c - the one file that --print-shader=shadertoy writes.
+// shadertoy.c - tests the text that --print-shader=shadertoy prints.
 #include "lib/test.h"
 
 #include "shader/export.h"
 #include "shader/dialect.h"
 #include "lib/scratch.h"
 
-// One file for Shadertoy: the declarations that Shadertoy makes itself are gone, and camera and
-// parameters are constants.
-TEST(test_for_shadertoy)
+// The text lacks the declarations that Shadertoy makes itself, and its camera and parameters are
+// constants.
+TEST(test_export_for_shadertoy)
 {
     scratch_write("root/shaders/main.glsl", "void main() { }\n");
     const char *path = scratch_write("root/chapters/main.frag",

@@ -1,5 +1,5 @@
-// slice.c - the frame of the slice view, and the number of steps that the steps view shows. The
-// references check the drawing of a slice.
+// slice.c - tests the frame of the slice view, and the number of steps that the steps view shows.
+// The pictures in tests/references test how a slice is drawn.
 #include "lib/test.h"
 #include "picture/slice.h"
 #include "lib/gpu.h"
@@ -10,7 +10,8 @@ enum { WIDTH = 640, HEIGHT = 360 };
 
 // ---- The number of steps ----
 
-// The distance is 0.5 everywhere: step k is at 0.5 k, and the march ends at its column's limit.
+// A scene where the distance is 0.5 everywhere, so step k is at 0.5 k. The march of column x takes
+// x + 1 steps, because its limit is 0.5 x + 0.25.
 static const char equal_steps[] = "#include \"main.glsl\"\n"
                                   "#include \"march.glsl\"\n"
                                   "Ray pixelRay(vec2 screen)\n"
@@ -27,9 +28,9 @@ static const char equal_steps[] = "#include \"main.glsl\"\n"
                                   "    return vec3(0.0);\n"
                                   "}\n";
 
-// The colour of n steps in the steps view is taken from the columns of a scene where the number n
-// is known; the table has that number for the same pixel of a chapter, and the slice draws that
-// table.
+// In a chapter, the steps view gives a pixel the colour for the number of steps in the pixel's
+// probe, whose table a slice draws. The colour for n steps is the colour of column n - 1 in the
+// scene above.
 TEST(the_steps_view_agrees_with_the_table)
 {
     struct renderer_inputs inputs = {.width = WIDTH, .height = HEIGHT, .samples = 1};
@@ -96,17 +97,20 @@ TEST(the_frame_shows_the_march)
         float zoom = SLICE_ZOOM_MINIMUM * (float)pow(zooms, i / 100.0);
         assert_shows(frame_of(PROBE_PASSED, miss_t, miss, 5, zoom), 2.0, 2.0);
     }
-    // A ray that leaves a surface, as a shadow ray does: the circles grow, and the last is shown.
+    // A ray that leaves a surface, such as a shadow ray: the distances grow, and the whole march
+    // is inside the frame.
     const float leave_t[] = {0.0f, 0.002f, 0.006f, 1.0f, 3.5f},
                 leave[] = {0.002f, 0.004f, 0.994f, 2.5f, 4.0f};
     assert_shows(frame_of(PROBE_PASSED, leave_t, leave, 5, 1.0f), 0.0, 3.4);
-    // No march, a march that ends where it starts, and distances that are not numbers.
+    // The frame is valid without a march, for a march that ends where it starts, and if t or the
+    // distance is not a number.
     assert_shows(frame_of(PROBE_NO_MARCH, NULL, NULL, 0, 1.0f), 0.0, 1.0);
     const float zero[] = {0.0f}, nan[] = {NAN};
     assert_shows(frame_of(PROBE_HIT, zero, zero, 1, 1.0f), 0.0, 0.5);
     assert_shows(frame_of(PROBE_GAVE_UP, zero, nan, 1, 1.0f), 0.0, 0.5);
     assert_shows(frame_of(PROBE_GAVE_UP, nan, nan, 1, 1.0f), 0.0, 0.5);
-    // No zoom is a zoom of 1; a march that ends beyond 1e9 shows 1 unit around 0.
+    // A zoom of 0 counts as a zoom of 1. For a march that ends beyond 1e9, the frame shows 1 unit
+    // and a margin, enlarged around 0.
     assert_shows(frame_of(PROBE_HIT, hit_t, hit, 3, 0.0f), 0.0, 4.2);
     const float far_t[] = {0.0f, 2e9f}, far[] = {2e9f, 1e-4f};
     frame = frame_of(PROBE_HIT, far_t, far, 2, 2.0f);
@@ -114,8 +118,8 @@ TEST(the_frame_shows_the_march)
     assert_float_equal(frame.left, -0.05f, 1e-6f);
 }
 
-// Lines divide a tick of 1, 10 or 100 into five parts, one of 2 or 20 into four, one of 5 or 50
-// into five.
+// Lines divide a tick with the first digit 1 or 5 into five parts, and a tick with the first digit
+// 2 into four parts.
 TEST(the_lines_are_round_parts_of_a_tick)
 {
     static const float parts[10] = {[1] = 5.0f, [2] = 4.0f, [5] = 5.0f};

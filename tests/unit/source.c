@@ -1,5 +1,5 @@
-// source.c - a shader's text: includes in their places, every line traced back to its file, and one
-// clear line for each file that cannot be used.
+// source.c - tests how a shader's text is read: each include is replaced by its file, every line is
+// traced back to its file, and a file that cannot be used is refused with one clear line.
 #include "lib/test.h"
 
 #include <unistd.h>
@@ -18,7 +18,8 @@ static int set_up(void **state)
     return 0;
 }
 
-// Read root/chapters/main.frag with this text; it must be readable.
+// Read a text as root/chapters/main.frag. Fails the test if the text is refused or anything is
+// reported.
 static struct shader_source read_text(const char *text)
 {
     struct shader_source source;
@@ -38,7 +39,8 @@ static void assert_text(const char *text, const char *expected)
     shader_free(&source);
 }
 
-// The file must be refused with one line that contains each of the words; NULL ends them.
+// Check that a file is refused with a single line that contains each of the words. NULL ends the
+// words.
 static void assert_file_refused(const char *path, const char *const words[])
 {
     struct shader_source source;
@@ -49,7 +51,7 @@ static void assert_file_refused(const char *path, const char *const words[])
     assert_null(source.text);
     for (int i = 0; words[i] != NULL; i++)
         if (line_count(said) != 1 || strstr(said, words[i]) == NULL)
-            fail_msg("not one line with '%s': %s", words[i], said);
+            fail_msg("expected one line with '%s', not: %s", words[i], said);
 }
 
 #define assert_path_refused(path, ...)                                                             \
@@ -95,7 +97,7 @@ IN_PROJECT(test_every_line_is_traced)
     shader_free(&source);
 }
 
-IN_PROJECT(test_beside_comes_before_shaders)
+IN_PROJECT(test_the_including_file_s_folder_comes_before_shaders)
 {
     scratch_write("root/chapters/leaf.glsl", "float mine();\n");
     assert_text("#include \"leaf.glsl\"\n", "// #include \"leaf.glsl\"\nfloat mine();\n");
@@ -119,7 +121,8 @@ IN_PROJECT(test_shader_outside_the_project)
     shader_free(&source);
 }
 
-// A file in any folder finds the chapters; of the files with one name, the nearest is used.
+// A file in any folder can include a chapter, but a file of the same name in the including file's
+// folder or in shaders/ takes precedence.
 IN_PROJECT(test_chapters_come_last)
 {
     struct shader_source source;
@@ -199,8 +202,7 @@ static void note(void *to, const char *path)
     snprintf((char *)to + size, 4096 - size, "%s\n", path);
 }
 
-// What a window must watch: each file before it is read, and the possible locations of a missing
-// one.
+// A window must watch each file that is read, and all possible locations of a missing file.
 IN_PROJECT(test_every_file_is_seen)
 {
     struct shader_source source;
@@ -237,7 +239,7 @@ IN_PROJECT(test_climbing_out)
     assert_refused("#include \"../../secret.glsl\"\n", "main.frag:1: ", "outside the project");
     assert_refused("#include \"../../rootless/secret.glsl\"\n",
                    "main.frag:1: ", "outside the project");
-    // Up to the root of the disk and down again; the path has no drive letter.
+    // This path goes up to the root of the disk and down again, without a drive letter.
     const char *secret = scratch_path("secret.glsl");
     char text[PLATFORM_PATH];
     snprintf(text, sizeof text, "#include \"../../../../../../../../../..%s\"\n",
@@ -260,7 +262,7 @@ IN_PROJECT(test_links)
 }
 
 // On a system that distinguishes upper and lower case, a link provides the name in the other case.
-IN_PROJECT(test_letters_of_another_size)
+IN_PROJECT(test_names_in_another_case)
 {
     assert_refused("#include \"Leaf.glsl\"\n", "main.frag:1: #include \"Leaf.glsl\": ");
     system_make_link("leaf.glsl", scratch_path("root/shaders/LEAF.glsl"));
@@ -295,7 +297,7 @@ IN_PROJECT(test_malformed_includes)
     assert_refused("#include <leaf.glsl\n", "malformed include", "main.frag:1: ");
 }
 
-// ---- Files that are no shaders ----
+// ---- Files that are not shaders ----
 
 IN_PROJECT(test_tidy)
 {

@@ -1,5 +1,5 @@
-// steps.c - one ray's march, step by step: the part of it that a slice shows, the positions of its
-// steps in the picture of another camera, and the graph of the distance along it.
+// steps.c - tests the steps of one ray's march: the part of the march that a slice shows, the
+// positions of the steps in another camera's picture, and the plot of the distance along the ray.
 #include "lib/test.h"
 #include "picture/slice.h"
 #include "lib/gpu.h"
@@ -40,7 +40,7 @@ static double dark_at(const float *values, double x, double y)
 
 // ---- The slice up to a step ----
 
-// The distance is 0.5 everywhere: step k is at 0.5 k, and there are nine.
+// A scene where the distance is 0.5 everywhere: step k is at 0.5 k, and the march has nine steps.
 static const char equal_steps[] = "#include \"main.glsl\"\n"
                                   "#include \"march.glsl\"\n"
                                   "Ray pixelRay(vec2 screen)\n"
@@ -54,8 +54,9 @@ static const char equal_steps[] = "#include \"main.glsl\"\n"
                                   "    return vec3(0.0);\n"
                                   "}\n";
 
-// Between two steps, the circle of the next one grows: its lowest point moves down.
-TEST(a_film_is_between_two_steps)
+// In the second half of the way to the next step, that step's circle grows, so its lowest point
+// moves down.
+TEST(a_circle_grows_between_two_steps)
 {
     const struct camera camera = {.position = {0.0f, 0.0f, 0.0f}};
     assert_true(gpu_load_text(equal_steps));
@@ -64,7 +65,7 @@ TEST(a_film_is_between_two_steps)
     struct slice_frame frame = slice_frame_of(probe, WIDTH, HEIGHT, 1.0f);
     double x = (1.0 - (double)frame.left) / (double)frame.unit, before = 0.0;
     for (int i = 0; i <= 4; i++) {
-        inputs.shown = 2.0f + 0.25f * (float)i; // from step 1 to step 2, at 1
+        inputs.shown = 2.0f + 0.25f * (float)i; // from step 1 to step 2, which is at t = 1
         float *values = view_of(&inputs, SHADER_SLICE);
         double lowest = 0.0;
         for (int y = HEIGHT / 2 - 8; y > 40; y--) // under the dot, above the axis
@@ -84,8 +85,9 @@ TEST(a_film_is_between_two_steps)
 
 static const struct camera second = {.position = {3.6f, 1.9f, 2.2f}, .pan = -58.0f, .tilt = -20.0f};
 
-// The position of a point in the picture of a perspective or a parallel view, in double precision.
-//   half  half the height that a parallel view shows; 0 for perspective
+// Find the position of a point in a picture in perspective or in parallel projection, in double
+// precision. Returns false if the point is not in front of the camera.
+//   half  half the height that a parallel projection shows; 0 for perspective
 static bool project(const struct camera *camera, const float p[3], double half, double pixel[2])
 {
     struct camera_basis basis = camera_basis_of(camera);
@@ -119,7 +121,7 @@ static int check_pixels(const struct probe *probe, const struct camera *camera, 
     return seen;
 }
 
-TEST(the_places_are_those_of_the_other_camera)
+TEST(the_positions_are_those_in_the_other_camera_s_picture)
 {
     struct camera first;
     first = gpu_open_chapter("01_normal_colouring");
@@ -128,12 +130,12 @@ TEST(the_places_are_those_of_the_other_camera)
     inputs.eye = &eye;
     struct probe *probe = probe_of(&inputs), *from = probe_of(&own);
     assert_true(probe->pinned && !from->pinned);
-    own.eye = &eye; // whose camera is the picture's own
+    own.eye = &eye; // the ray starts at the picture's own camera
     struct probe *again = probe_of(&own);
     assert_false(again->pinned);
     free(again);
     assert_int_equal(probe->steps, from->steps);
-    for (int k = 0; k < probe->steps; k++) { // the same ray, to the last bit
+    for (int k = 0; k < probe->steps; k++) { // the same ray, bit for bit
         assert_memory_equal(&probe->step[k].t, &from->step[k].t, sizeof(float));
         assert_memory_equal(probe->step[k].position, from->step[k].position, 3 * sizeof(float));
         assert_true(from->step[k].seen && from->step[k].pixel[0] == 340.5f &&
@@ -141,10 +143,10 @@ TEST(the_places_are_those_of_the_other_camera)
     }
     assert_memory_equal(probe->colour, from->colour, 3);
     int seen = check_pixels(probe, &second, 0.0);
-    print_message("# %d of %d steps have a position\n", seen, probe->steps);
+    print_message("# %d of %d steps have a position in the picture\n", seen, probe->steps);
     assert_true(seen >= 8);
     free(probe);
-    // A camera beside the ray sees only what is in front of it.
+    // A camera beside the ray sees only the steps in front of the camera.
     inputs.camera = (struct camera){.position = {0.9f, 0.1f, 1.0f}, .pan = -30.0f, .tilt = -10.0f};
     probe = probe_of(&inputs);
     int behind = 0;
@@ -155,13 +157,15 @@ TEST(the_places_are_those_of_the_other_camera)
         behind += !before;
     }
     seen = check_pixels(probe, &inputs.camera, 0.0);
-    print_message("# %d steps behind a third camera, %d in front\n", behind, seen);
+    print_message("# %d steps are behind a third camera, %d steps are in front of it\n", behind,
+                  seen);
     assert_true(behind >= 2 && seen >= 5);
     free(from);
     free(probe);
 }
 
-// A custom view: the angle to the view direction grows uniformly from the centre.
+// A custom projection: the angle between a pixel's ray and the view direction is proportional to
+// the pixel's distance from the centre of the picture.
 static const char round_view[] =
     "#include \"main.glsl\"\n"
     "#include \"march.glsl\"\n"
@@ -179,7 +183,7 @@ static const char round_view[] =
     "    return vec3(0.0);\n"
     "}\n";
 
-TEST(any_view_has_places)
+TEST(any_projection_has_positions)
 {
     const struct camera first = {.position = {0.0f, 0.0f, 6.0f}};
     const struct camera side = {.position = {-2.0f, 0.5f, 1.0f}, .pan = 40.0f, .tilt = -10.0f};
@@ -208,7 +212,7 @@ TEST(any_view_has_places)
             seen++;
         }
     }
-    print_message("# %d steps have a position\n", seen);
+    print_message("# %d steps have a position in the picture\n", seen);
     assert_true(seen >= 5);
     free(probe);
 }
@@ -233,7 +237,7 @@ TEST(a_plot_has_room_for_every_step)
         struct slice_frame slice = slice_frame_of(probe, width, height, 1.0f);
         struct plot_frame plot = plot_frame_of(probe, 1, width, height, &slice);
         assert_true((double)plot.split == 0.5 * height);
-        // The slice's ray runs along the middle of the part above.
+        // The ray of the slice is in the middle of the picture's upper half.
         assert_true(fabs(-(double)slice.bottom / (double)slice.unit - 0.75 * height) < 0.01);
         for (int k = 0; k < 3; k++) {
             double y = (double)plot.zero + (double)hit[k] / (double)plot.unit;

@@ -1,5 +1,5 @@
-// texture_image.c - the pictures that shaders read, before the driver receives them: slices, and
-// the levels compared with double precision.
+// texture_image.c - tests the pictures that shaders read, before the driver receives them: the
+// order of the slices, and the mip levels, which are compared with means in double precision.
 #include "lib/test.h"
 #include "picture/texture.h"
 #include "lib/mirror.h"
@@ -7,7 +7,7 @@
 #include "lib/scratch.h"
 #include "lib/system.h"
 
-// ---- What is refused ----
+// ---- Pictures that are refused ----
 
 static void assert_refused(const char *name, int slices, const char *expected)
 {
@@ -52,7 +52,7 @@ TEST(a_texture_leaves_no_file_open)
 
 // ---- Levels ----
 
-// The length that cell a of n shares with cell b of m, where both rows of cells fill [0, 1].
+// The length of the overlap of cell a of n with cell b of m, where each row of cells fills [0, 1].
 static double common_part(int a, int n, int b, int m)
 {
     double begin = fmax((double)a / n, (double)b / m);
@@ -60,8 +60,10 @@ static double common_part(int a, int n, int b, int m)
     return fmax(end - begin, 0.0);
 }
 
-// The mean of a level over a texel of the next one, weighted by the volume that it shares with each
-// texel.
+// The mean of a level's texels over a texel of the next level. The weight of a texel is the volume
+// of its overlap with the texel of the next level.
+//   n, m  sizes of the level and of the next level
+//   at    the texel of the next level
 static double mean_over(const double *value, const int n[3], const int m[3], const int at[3],
                         int channel)
 {
@@ -83,9 +85,9 @@ static void check_level(const struct texture_image *image, int level, const doub
     const int *size = image->size[level];
     for (int i = 0; i < 4 * size[0] * size[1] * size[2]; i++) {
         double wanted = 255.0 * (srgb && i % 4 < 3 ? mirror_encode(value[i]) : value[i]);
-        // Half a step of rounding, and the error of single precision.
+        // Rounding to a byte causes an error of at most 0.5, and single precision adds a little.
         if (fabs(wanted - image->level[level][i]) > 0.5 + 1e-3)
-            fail_msg("level %d, value %d: %d, not %f", level, i, image->level[level][i], wanted);
+            fail_msg("level %d, value %d is %d, not %f", level, i, image->level[level][i], wanted);
     }
 }
 
@@ -104,7 +106,8 @@ static void check_levels(const int size[3], bool srgb)
     for (int z = 0; z < size[2]; z++)
         for (int y = 0; y < size[1]; y++)
             for (int i = 0; i < 4 * width; i++) {
-                // The slices from the top of the file, each with its bottom row first.
+                // The first slice is at the top of the file. A texture has the bottom row of each
+                // slice first.
                 int row = z * size[1] + size[1] - 1 - y;
                 double v = texel[4 * width * row + i] / 255.0;
                 value[0][4 * width * (z * size[1] + y) + i] =

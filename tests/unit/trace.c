@@ -1,4 +1,4 @@
-// trace.c - every step of one ray, as the probe returns it.
+// trace.c - tests every step of one ray's march, as a probe returns it.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/scratch.h"
@@ -11,8 +11,8 @@ static struct probe *probe_of(const struct renderer_inputs *inputs, int x, int y
     return probe;
 }
 
-// After a picture of several tiles and several samples, and after one that is smaller than the
-// table.
+// A probe gives the same steps after a picture with several tiles and samples, and after a picture
+// that is smaller than the probe's table.
 TEST(a_picture_leaves_no_trace_in_a_probe)
 {
     assert_true(gpu_load("chapters/02_lighting.frag"));
@@ -34,8 +34,8 @@ TEST(a_picture_leaves_no_trace_in_a_probe)
     free(first);
 }
 
-// Rays that start at (screen, 2) and go down to the plane z = 0 at an angle: each step leaves a
-// fifth of the distance.
+// Rays that start at (screen, 2) and descend to the plane z = 0 at an angle, so that each step
+// leaves a fifth of the distance to the plane.
 #define TOWARDS_A_PLANE(steps)                                                                     \
     "#include \"main.glsl\"\n"                                                                     \
     "#include \"march.glsl\"\n"                                                                    \
