@@ -1,6 +1,6 @@
 // Experiment of chapter 01: an endless floor, and the rays that are abandoned below its horizon.
 //
-// The chapter's own sceneDistance gets another name; everything else is the chapter's.
+// The chapter's sceneDistance is renamed; everything else is as in the chapter.
 #include "main.glsl"
 #define sceneDistance sceneWithoutFloor
 #include "01_normal_colouring.frag"

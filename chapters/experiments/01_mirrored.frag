@@ -1,13 +1,15 @@
-// Experiment of chapter 01: the report's sign (sections 1.3.1, 1.3.2), which mirrors the picture.
+// Experiment of chapter 01: the sign of e_x in the report (sections 1.3.1 and 1.3.2), which mirrors
+// the picture.
 //
-// The chapter's own pixelRay gets another name and is not used; everything else is the chapter's.
+// The chapter's pixelRay is renamed and not used; everything else is as in the chapter.
 #include "main.glsl"
 #define pixelRay rightPixelRay
 #include "01_normal_colouring.frag"
 #undef pixelRay
 
-// With e_z opposite to the view, the report takes e_x = normalize(e_z x (0, 1, 0)), e_y = e_x x e_z
-// and direction = x e_x + y e_y - FL e_z. This e_x points to the left: det[e_x, e_y, e_z] = -1.
+// With e_z opposite to the view direction, the report takes e_x = normalize(e_z x (0, 1, 0)),
+// e_y = e_x x e_z and direction = x e_x + y e_y - FL e_z. This e_x points to the left:
+// det[e_x, e_y, e_z] = -1.
 Ray pixelRay(vec2 screen)
 {
     vec3 ez = -iCameraForward;

@@ -1,11 +1,10 @@
-// Experiment of chapter 01: the error of the normal against the step of the differences, measured
-// by the GPU itself. Each column of pixels uses one step and 512 points of a unit ball, 10 units
-// from the origin, and shows the root mean square of the errors. Central differences are
-// yellow, forward differences blue.
+// Experiment of chapter 01: the error of the normal against the step of the differences, measured by the GPU itself.
+// Each column of pixels uses one step and 512 points on a unit ball, whose centre is 10 units from the origin, and
+// shows the root mean square of the errors. Central differences are yellow, forward differences blue.
 //
-// The horizontal axis is the step, from 1e-5 to 1; the vertical axis is the angle between the
-// computed and the true normal, from 1e-4 to 100 degrees. There is a line at each power of ten; the brighter ones
-// are at a step of 0.001 and at an angle of 0.01 degrees.
+// The horizontal axis is the step, from 1e-5 to 1; the vertical axis is the angle between the computed and the true
+// normal, from 1e-4 to 100 degrees. There is a line at each power of ten; the brighter ones are at a step of 0.001 and
+// at an angle of 0.01 degrees.
 #include "main.glsl"
 #include "normal.glsl"     // normalAt
 #include "primitives.glsl" // sdSphere
@@ -13,8 +12,7 @@
 const vec3 CENTRE = vec3(0.0, 0.0, 10.0);
 const int  POINTS = 512;
 
-// The position in the plot is passed on in the ray's origin: x from 0 to 5, y from 0 to 6, one unit
-// per power of ten.
+// The position in the plot is stored in the ray's origin: x from 0 to 5, y from 0 to 6, one unit per power of ten.
 Ray pixelRay(vec2 screen)
 {
     vec2 point = vec2(2.5, 3.0) + vec2(2.5, 3.0) * screen * vec2(iResolution.y / iResolution.x, 1.0);
@@ -38,13 +36,13 @@ vec3 forwardNormal(vec3 p, float h)
     return size > 0.0 ? gradient / size : vec3(0.0);
 }
 
-// The typical angles over the ball, in degrees, for central and forward differences. Each point takes a different
-// step, up to a tenth larger, so that rounding is not favourable at all points at once.
+// The root mean square of the angles over the ball, in degrees, for central and forward differences. Each point uses a
+// different step, from h to 1.1 h, so that rounding is not favourable at all points at once.
 vec2 typicalAngles(float h)
 {
     vec2 squares = vec2(0.0);
     for (int i = 0; i < POINTS; i++) {
-        // A spiral: equal steps in z, the golden angle around the axis.
+        // The points are on a spiral, with equal steps in z and the golden angle between neighbours.
         float z = 1.0 - (2.0 * float(i) + 1.0) / float(POINTS);
         float turn = 2.39996323 * float(i);
         vec3 p = CENTRE + vec3(sqrt(1.0 - z * z) * vec2(cos(turn), sin(turn)), z);

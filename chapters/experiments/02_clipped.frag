@@ -1,15 +1,15 @@
 // Experiment of chapter 02: the highlight warning of a camera. Where at least a given number of
 // channels exceed the range of a screen, the picture is painted over in one flat colour. A
-// comparison with the original picture shows how large a share of it is cut off.
+// comparison with the original picture shows what fraction of the pixels is clipped.
 //
-// The macro turns the chapter's call to encodeSRGB into a call to warn; everything else is the
-// chapter's.
+// The macro turns the chapter's call to encodeSRGB into a call to warn; everything else is as in
+// the chapter.
 #include "main.glsl"
 #include "lighting.glsl"
 
-uniform int channels; // 1 in [1, 3]: paint over where at least this many channels are cut off
+uniform int channels; // 1 in [1, 3]: paint over where at least this many channels are clipped
 
-const vec3 WARNING = vec3(0.85, 0.0, 0.75); // as the screen shows it
+const vec3 WARNING = vec3(0.85, 0.0, 0.75); // an sRGB value
 
 vec3 warn(vec3 light)
 {

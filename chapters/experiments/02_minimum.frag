@@ -1,7 +1,8 @@
 // Experiment of chapter 02: the report's colour, min(object, light) (section 1.5.5), instead of the
-// product. On white objects the two agree; an orange object under dim white light turns yellow.
+// product. On white objects the two formulas agree; an orange object under dim white light turns
+// yellow.
 //
-// The chapter's own rayColour gets another name and is not used; everything else is the chapter's.
+// The chapter's rayColour is renamed and not used; everything else is as in the chapter.
 #include "main.glsl"
 #define rayColour rightRayColour
 #include "02_lighting.frag"

@@ -1,10 +1,10 @@
-// Experiment of chapter 04: the blend of the workshop's opBlend, which mixes the numbers of two
-// materials, here their hues, with the weight clamp(a - d, 0, 1).
+// Experiment of chapter 04: the blend of the workshop's opBlend, which interpolates between the
+// numbers of two materials, here their hues, with the weight clamp(a - d, 0, 1).
 //
-//   numbers=true           mix the numbers: all hues between those of block and ball appear
+//   numbers=true           interpolate the hues: all hues between those of block and ball appear
 //   workshopWeight=true    use the workshop's weight, which is blend / 6 where it should be 1 / 2
 //
-// Macros rename the chapter's own colourAt, which is used here for the other solids, and rayColour.
+// Macros rename the chapter's colourAt, which is used here for the other solids, and its rayColour.
 #include "main.glsl"
 #define colourAt rightColourAt
 #define rayColour rightRayColour
@@ -12,8 +12,8 @@
 #undef rayColour
 #undef colourAt
 
-uniform bool numbers;        // true: mix the hues' numbers instead of their colours
-uniform bool workshopWeight; // false: use the workshop's weight instead of the slope of the function
+uniform bool numbers;        // true: interpolate the hues instead of the colours
+uniform bool workshopWeight; // false: use the workshop's weight instead of the slope of the smooth union
 
 vec3 colourAt(vec3 p)
 {

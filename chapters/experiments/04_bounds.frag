@@ -1,10 +1,11 @@
-// Experiment of chapter 04: a flat diagram of what min and max do to the distances of two discs.
-// Dark lines connect points where the operator gives the same value, white lines points at the same
-// true distance. Red is the difference, full at 0.25. Where no white line is visible, the two
-// coincide, and the operator is exact. For the smooth union only its own lines are drawn.
+// Experiment of chapter 04: a diagram, in the plane, of what min and max do to the distances of two
+// discs. Dark lines connect points where the operation gives the same value, and white lines
+// connect points at the same true distance. The difference is shown in red, which is strongest from
+// 0.25. Where no white line is visible, the two kinds of line coincide, and the operation is exact.
+// For the smooth union, only the dark lines are drawn.
 //
-// The true distance is that to the boundary, piece by piece: to the part of each circle that
-// remains, and to the two points where the circles cross.
+// The true distance is the smallest of the distances to the pieces of the boundary: the remaining
+// part of each circle, and the two points where the circles cross.
 #include "main.glsl"
 #include "camera.glsl"
 #include "primitives.glsl"
@@ -53,7 +54,8 @@ float trueDistance(vec2 p)
     return min(corner, min(a, b)) * sign(combined(vec3(p, 0.0)));
 }
 
-// A line at every 0.25 of a distance, thicker at 0.
+// Lines at multiples of 0.25 of a distance; the line at 0 is thicker. Returns the share of the
+// pixel that they cover, from 0 to 1.
 float levels(float distance, float pixel)
 {
     float nearest = 0.25 * floor(4.0 * distance + 0.5);

@@ -28,15 +28,17 @@ vec3 drawnColour(float hue)
     return rounded ? value * mix(vec3(1.0), smoothed, saturation) : hsvToRGB(hue, saturation, value);
 }
 
-// The share of a pixel that a line of this width covers at this distance, both in pixels.
+// The share of a pixel that a line covers, given the line's width and its distance from the centre
+// of the pixel, both in pixels.
 float line(float distance, float width)
 {
     return clamp(0.5 * width + 0.5 - abs(distance), 0.0, 1.0);
 }
 
-// The band of one channel: the area under the curve in the channel's colour, the curve in white.
-//   point    hue in degrees, height in the band from 0 to 1
-//   pixels   size of the band in pixels: the width of 360 degrees, the height of 1
+// The band of one channel: the area under the curve has the channel's colour, and the curve is
+// white.
+//   point    hue in degrees, and height in the band from 0 to 1
+//   pixels   size of the band in pixels: the width of 360 degrees, and the height of the value 1
 vec3 band(vec2 point, vec2 pixels, int channel)
 {
     vec3 ink = vec3(0.10, 0.11, 0.13);

@@ -1,8 +1,9 @@
 // Experiment of chapter 04: how a march approaches an edge. In the middle of the wheel is a lens,
-// the intersection of two balls of radius 1.1, with the bound max(a, b). apart sets how sharp its
-// rim is.
+// the intersection of two balls of radius 1.1, with the bound max(a, b). The parameter `apart` sets
+// how sharp the rim of the lens is.
 //
-// The file defines sceneDistance, colourAt and rayColour itself, because the middle is different.
+// This file replaces the chapter's sceneDistance, colourAt and rayColour, because the solid in the
+// middle is different.
 #include "main.glsl"
 #define sceneDistance wheelScene
 #define colourAt wheelColourAt

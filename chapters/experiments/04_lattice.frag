@@ -1,8 +1,8 @@
 // Experiment of chapter 04: all colours at once, as a lattice of cubes. The hue changes around the
 // axis, the saturation outwards, and the value upwards. A slice is cut out to show the inside.
 //
-// Stage, light and camera are the chapter's; the file defines its own sceneDistance and everything
-// that depends on it.
+// The stage, the light and the camera are those of the chapter; this file replaces sceneDistance
+// and everything that depends on it.
 #include "main.glsl"
 #define sceneDistance wheelScene
 #define colourAt wheelColourAt
@@ -12,13 +12,14 @@
 #undef colourAt
 #undef sceneDistance
 
-uniform bool whole; // false: keep the slice
+uniform bool whole; // false: do not cut out the slice
 
-const float RINGS = 5.0;  // steps of the saturation
-const float LEVELS = 5.0; // steps of the value
+const float RINGS = 5.0;  // number of steps in saturation
+const float LEVELS = 5.0; // number of steps in value
 
-// One ring of 24 columns of cubes, folded as in the chapter, here to 7.5 degrees. The cubes of a
-// column are equal, so the nearest cube is the one whose height is nearest.
+// One ring of 24 columns of cubes. The plane is folded as in the chapter, here into a wedge of 7.5
+// degrees. All cubes of a column have the same size, so the nearest cube is the one whose height is
+// nearest.
 //   q  the folded point
 float ringDistance(vec3 q, float ring)
 {

@@ -1,7 +1,7 @@
 // Experiment of chapter 04: the report's colour, min(object, light) (section 1.5.5), instead of the
 // product, on objects that have a hue.
 //
-// A macro renames the chapter's own rayColour, which is not used; everything else is the chapter's.
+// A macro renames the chapter's rayColour, which is not used; everything else is as in the chapter.
 #include "main.glsl"
 #define rayColour rightRayColour
 #include "04_hue_colour.frag"

@@ -2,8 +2,9 @@
 // rods are laid along its turned axes. With the right inverse, the rods leave the block at the
 // centres of its faces and perpendicular to them.
 //
-// formula=0 uses the transposed matrix, 1 the report's inverse, which is the same rotation by the
-// negated angles, and 2 the matrix as the report prints it, with a missing term, transposed.
+// formula=0 uses the transposed matrix. formula=1 uses the report's inverse, which is the same
+// rotation with negated angles. formula=2 uses the transpose of the matrix that the report prints,
+// in which a term is missing.
 #include "main.glsl"
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
@@ -46,7 +47,7 @@ float blockDistance(vec3 p)
     return sdBox(blockPoint(p), BLOCK - 0.03) - 0.03;
 }
 
-// A rod that extends from the centre in both directions of a turned axis.
+// A rod along a turned axis, which extends from the centre in both directions.
 float rodDistance(vec3 p, int axis)
 {
     vec3 along = rotation(radians(angles))[axis];

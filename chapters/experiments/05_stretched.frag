@@ -1,9 +1,8 @@
-// Experiment of chapter 05: four objects whose inverse maps stretch distances. From left to right:
-// a ring made half as large, a ball squeezed to half its width by diag(2, 1, 1), a bent plank, and
-// a ball with bumps.
+// Experiment of chapter 05: four objects whose inverse maps stretch distances. From left to right: a ring made half as
+// large, a ball squeezed to half its width by diag(2, 1, 1), a bent plank, and a ball with bumps.
 //
-// With divided=true, each distance is divided by its Lipschitz constant. With divided=false, none is, as in
-// the formula that the report's section 2.2 states for every transformation.
+// With divided=true, each distance is divided by its Lipschitz constant. With divided=false, no distance is divided, as
+// in the formula that the report's section 2.2 states for every transformation.
 #include "main.glsl"
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march

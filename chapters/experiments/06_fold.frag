@@ -1,6 +1,6 @@
-// Experiment of chapter 06: what a fold does to a plane. The letter is drawn with its distance,
-// evaluated at the folded point. The line is the mirror, and the arrow that starts on the line is
-// the normal. The side to which the arrow points is kept.
+// Experiment of chapter 06: what a fold does to a plane. The letter is drawn using its distance at
+// the folded point. The line is the mirror, and the arrow that starts on the line is the normal.
+// The side to which the arrow points is kept.
 #include "main.glsl"
 #include "symmetry.glsl" // opReflect
 #include "hue.glsl"      // hsvToRGB
@@ -67,7 +67,8 @@ vec3 rayColour(Ray ray)
     vec3 p = ray.origin;
     float away = distanceAt(p);
     vec2 q = folded(p).xy;
-    // The colours of the folded plane: the hue depends on the position, with squares of one unit.
+    // The colour of the folded plane: the hue depends on the position, and the brightness
+    // alternates between squares with a side of one unit.
     float square = mod(floor(q.x) + floor(q.y), 2.0);
     vec3 colour = hsvToRGB(198.0 + 26.0 * q.x - 10.0 * q.y, 0.5, 0.50 + 0.1 * square);
     float nearest = 0.25 * floor(away / 0.25 + 0.5);

@@ -1,8 +1,8 @@
 // Experiment of chapter 06: the pyramid with a wrong fold.
 //
-// A macro renames the chapter's own sceneDistance, which is not used. Rays are not clipped to the
-// pyramid's hull, because a wrong pyramid need not stay inside it. Everything else is the
-// chapter's.
+// A macro renames the chapter's sceneDistance, which is not used. Rays are not clipped to the
+// pyramid's hull, because a wrong pyramid need not stay inside it. Everything else is as in the
+// chapter.
 #include "main.glsl"
 #include "symmetry.glsl"
 
@@ -22,9 +22,9 @@ vec3 wrongFold(vec3 q, vec3 direction, float size)
 {
     vec3 normal = direction * 0.70710678;
     float offset = 1.41421356 * size;
-    if (mistake == 1) // the sign of section 2.1.2, dot(p, normal) - offset, used in section 2.2.4
+    if (mistake == 1) // the report's sign of section 2.1.2, dot(p, normal) - offset, used in 2.2.4
         return opReflect(q, normal, -offset);
-    if (mistake == 2) // the plane, dot(q, direction) = -2 size, is right, but the length is sqrt(2)
+    if (mistake == 2) // the plane, dot(q, direction) = -2 size, is right, but the normal's length is sqrt(2)
         return opReflect(q, direction, 2.0 * size);
     return opReflect(q, normal, offset);
 }

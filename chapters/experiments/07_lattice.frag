@@ -1,5 +1,5 @@
 // Experiment of chapter 07: the report's figures 6 and 8. One ball, or one frame with its ball, is
-// repeated along one, two or three axes, endlessly or a given number of times; the colour shows the
+// repeated along one, two or three axes, up to 1000 times in each direction; the colour shows the
 // normal.
 #include "main.glsl"
 #include "cone.glsl"

@@ -1,4 +1,4 @@
-// Experiment of chapter 07: the test of the report's annex, where a ray ends when the distance to
+// Experiment of chapter 07: the exit test of the report's annex: a ray ends when the distance to
 // the scene is 20 or more. In an endless field no distance is that large, so every ray that hits
 // nothing goes on until it runs out of steps.
 //

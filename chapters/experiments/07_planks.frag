@@ -1,6 +1,6 @@
-// Experiment of chapter 07: planks that are turned in their cells. The plank of a point's own cell
-// need not be the nearest, so rays step through its neighbour. To prevent this, evaluate the nearer
-// neighbour too, or mirror every other cell, which makes a different fence.
+// Experiment of chapter 07: planks that are turned in their cells. The plank in a point's cell need
+// not be the nearest, so rays step through the neighbouring plank. To prevent this, evaluate the
+// nearer neighbour too, or mirror every other cell, which makes a different fence.
 #include "main.glsl"
 #include "camera.glsl"
 #include "march.glsl"
@@ -9,7 +9,7 @@
 #include "lighting.glsl"
 #include "repetition.glsl"
 
-uniform int   asked;  // 0 in [0, 2]: 0 only the own plank, 1 also the nearer neighbour's, 2 mirrored cells
+uniform int   asked;  // 0 in [0, 2]: 0 only the cell's plank, 1 also the nearer neighbour's, 2 mirrored cells
 uniform float turn;   // 30 in [0, 30] step 2.5, degrees: how far each plank is turned
 uniform float period; // 2.5 in [2.5, 6] step 0.25, scene units: width of a cell
 
@@ -42,7 +42,7 @@ vec3 skyLight(vec3 direction)
     return mix(vec3(0.20, 0.24, 0.24), vec3(0.010, 0.035, 0.07), smoothstep(-0.05, 0.5, direction.y));
 }
 
-// The ground is found with its formula, the planks with the march.
+// The ground is found with a formula, and the planks with the march.
 vec3 rayColour(Ray ray)
 {
     float ground = ray.direction.y < 0.0 ? min(-ray.origin.y / ray.direction.y, FAR) : FAR;

@@ -1,7 +1,8 @@
 // Experiment of chapter 08: the report's orthographic view (section 2.3). A ray starts at the
-// position of its pixel on the screen, camera + x e_x + y e_y, and follows e_z. There is no scale.
+// position of its pixel on the screen, camera + x e_x + y e_y, and follows e_z. There is no scale
+// factor.
 //
-// A macro renames the chapter's own pixelRay, which is not used; everything else is the chapter's.
+// A macro renames the chapter's pixelRay, which is not used; everything else is as in the chapter.
 #include "main.glsl"
 #define pixelRay chapterPixelRay
 #include "08_orthographic_view.frag"

@@ -1,8 +1,8 @@
 // Experiment of chapter 09: only the tower of the cell is evaluated, without a cap for the
-// neighbours. Over a low block a ray takes steps as long as the distance to its roof, and passes
+// neighbours. Over a low tower, a ray takes steps as long as the distance to its roof, and passes
 // through the high tower beside it.
 //
-// The chapter's own sceneDistance is renamed; everything else is the chapter's.
+// The chapter's sceneDistance is renamed; everything else is as in the chapter.
 #include "main.glsl"
 #define sceneDistance chapterSceneDistance
 #include "09_sky_and_sunset.frag"

@@ -1,8 +1,8 @@
 // Experiment of chapter 09: the report's sky as its text describes it (section 3.4): green and blue
-// times the scalar product of the upward direction with that of the sun's rays. The rays point
-// down, so by day the product is negative.
+// are multiplied by the scalar product of the upward direction and the direction of the sun's rays.
+// The rays point down, so by day the product is negative.
 //
-// The chapter's own rayColour is renamed; everything else is the chapter's.
+// The chapter's rayColour is renamed; everything else is as in the chapter.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "09_sky_and_sunset.frag"

@@ -1,5 +1,6 @@
-// Experiment of chapter 10: lines that are bands of the distance, of fixed width. From nearby they
-// are thick, from far away they break up into dots, and where the gradient is small they swell.
+// Experiment of chapter 10: lines that are drawn where the distance is in a band of fixed width.
+// From nearby they are thick, from far away they break up into dots, and where the gradient is
+// small they swell.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "10_distance_in_the_plane.frag"

@@ -1,11 +1,12 @@
-// Experiment of chapter 10: the chapter's ray once more, with steps of fixed length. The probe
-// counts the evaluations of both methods together.
+// Experiment of chapter 10: the chapter's ray is marched again, with steps of fixed length. The
+// probe counts the evaluations of both marches together.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "10_distance_in_the_plane.frag"
 #undef rayColour
 
-// The chapter's colour. For the probe, a second march takes fixed steps to the first point inside.
+// The chapter's colour. For the probe, a second march takes fixed steps to the first point inside
+// the figure.
 vec3 rayColour(Ray ray)
 {
     vec3 colour = chapterRayColour(ray);

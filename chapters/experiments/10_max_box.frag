@@ -1,6 +1,7 @@
-// Experiment of chapter 10: a rectangle from the larger coordinate, max(|x| - hx, |y| - hy). It has
-// the same outline and the same values inside, and is a lower bound outside: in front of a corner
-// it is too small, at worst by a factor of sqrt(1/2).
+// Experiment of chapter 10: a rectangle whose distance is the larger coordinate,
+// max(|x| - hx, |y| - hy). The outline and the values inside are those of the exact distance.
+// Outside, this is a lower bound: in front of a corner it is too small, at worst by a factor of
+// sqrt(1/2).
 #include "main.glsl"
 #include "plane.glsl"
 

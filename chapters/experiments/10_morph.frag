@@ -1,14 +1,14 @@
 // Experiment of chapter 10: the distances of two discs, mixed half and half. The outline is an
 // ellipse with the centres as its foci. Dark lines belong to the mixture, white lines to the true
-// distance. Red shows by how much the mixture is too small, and is full at 0.25. The true distance
-// is computed as the smallest distance to 256 chords of a quarter of the ellipse.
+// distance. Red shows by how much the mixture is too small, and is strongest from 0.25. The true
+// distance is computed as the smallest distance to 256 chords of a quarter of the ellipse.
 #include "main.glsl"
 #include "plane.glsl"    // sdCircle, sdSegment
 #include "coverage.glsl" // coverage
 #include "camera.glsl"   // focalLength
 
 uniform float apart;  // 0.5 in [0, 0.6] step 0.05, units: from the origin to each centre
-uniform float radius; // 0.625 in [0.61, 1] step 0.015, units: of both discs
+uniform float radius; // 0.625 in [0.61, 1] step 0.015, units: radius of both discs
 
 Ray pixelRay(vec2 screen)
 {
@@ -35,7 +35,8 @@ float ellipseDistance(vec2 p)
     return dot(p / axes, p / axes) < 1.0 ? -nearest : nearest;
 }
 
-// A line at every multiple of 0.1 of a distance, thicker at 0.
+// Lines at multiples of 0.1 of a distance; the line at 0 is thicker. Returns the share of the pixel
+// that they cover, from 0 to 1.
 float levels(float d, float pixel)
 {
     float nearest = 0.1 * floor(10.0 * d + 0.5);

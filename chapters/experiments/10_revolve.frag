@@ -2,9 +2,9 @@
 // the axis. Left of the axis nothing is evaluated and nothing is drawn, but the part of the disc
 // there still affects the distance.
 //
-// Dark lines show the distance as the formula gives it, white lines the distance to the surface
-// that is drawn. Red is the difference, full at 0.25. Where no white line is visible, both
-// coincide.
+// Dark lines show the distance that the formula gives, and white lines show the distance to the
+// surface that is drawn. Red shows the difference, and is strongest from 0.25. Where no white line
+// is visible, the two distances coincide.
 #include "main.glsl"
 #include "camera.glsl"
 #include "plane.glsl"  // sdCircle, sdArc
@@ -24,7 +24,8 @@ float sceneDistance(vec3 p)
     return sdCircle(opRevolve(p, 0.0) - vec2(centre, 0.0), 1.0);
 }
 
-// The distance to the part of the rim that is revolved, an arc around the x axis; negative inside.
+// The distance to the part of the rim that is revolved, an arc centred on the x axis; negative
+// inside.
 float drawnDistance(vec2 q)
 {
     float half_ = atan(sqrt(max(1.0 - centre * centre, 0.0)), -centre); // the arc cosine of -centre
@@ -40,7 +41,8 @@ float line(float distance, float width)
     return clamp(0.5 * width + 0.5 - abs(distance), 0.0, 1.0);
 }
 
-// A line at every multiple of 0.1 of a distance, thicker at 0.
+// Lines at multiples of 0.1 of a distance; the line at 0 is thicker. Returns the share of the pixel
+// that they cover, from 0 to 1.
 float levels(float distance, float pixel)
 {
     float nearest = 0.1 * floor(10.0 * distance + 0.5);

@@ -7,7 +7,7 @@
 #undef sceneDistance
 
 uniform float factor;  // 1.6 in [1, 4] step 0.1: how many times smaller the figure is
-uniform bool  divided; // false: whether the distance is divided too
+uniform bool  divided; // false: divide the distance by the factor
 
 float sceneDistance(vec3 p)
 {

@@ -1,11 +1,11 @@
 // Experiment of chapter 10: figures of the plane, extruded along a line or revolved about an axis:
 // cut stone and turned clay in the light of a low lamp.
 #include "main.glsl"
-#include "camera.glsl"     // perspectiveRay, focalLength
+#include "camera.glsl"     // perspectiveRay
 #include "cone.glsl"       // marchCone, coneReaching, pixelSpread
 #include "normal.glsl"     // normalAt
 #include "primitives.glsl" // sdSphere, sdBox
-#include "combine.glsl"    // opUnion, opSubtraction, opSmoothUnion
+#include "combine.glsl"    // opSubtraction, opSmoothUnion
 #include "transform.glsl"  // Pose, seenFrom, sdTorus
 #include "plane.glsl"      // sdCircle, sdSegment, sdTriangle, sdArc, opRound, opOnion
 #include "solids.glsl"     // opExtrude, opRevolve, sdHexPrism, sdCappedCone, sdCapsule
@@ -35,8 +35,9 @@ Ray pixelRay(vec2 screen)
 
 // ---- Figures of the plane ----
 
-// A rose window: a disc with eight lights and eight eyes cut out. It is symmetric about eight
-// mirrors. After the folds along these mirrors, only one light and one eye remain.
+// A rose window: a disc with eight lights, eight round eyes and a hole in the centre cut out. It is
+// symmetric about eight mirrors. After the folds along these mirrors, only one light and one eye
+// remain.
 float roseFigure(vec2 q)
 {
     q = abs(q);
@@ -57,7 +58,7 @@ float arcTowards(vec2 q, vec2 centre, float degrees, float radius, float halfDeg
 }
 
 // Half a vase: foot, belly, shoulder and neck are arcs that join smoothly, and the base is a
-// segment. A stroke along them is the wall.
+// segment. The wall is a stroke along these five lines.
 float vaseFigure(vec2 q)
 {
     float foot = arcTowards(q, vec2(0.3543, 0.17), 186.885, 0.16, 50.655);
@@ -70,7 +71,7 @@ float vaseFigure(vec2 q)
 
 // ---- Solids made from them ----
 
-// The rose window, extruded; its rim and its hub are thicker.
+// The rose window, extruded, with a thicker rim, a thicker hub and a plinth.
 float roseDistance(vec3 p)
 {
     vec3 q = seenFrom(ROSE, p);
@@ -116,8 +117,8 @@ vec3 colourAt(vec3 p)
     return paper < min(clay, stone) ? PAPER : (clay < stone ? painted : STONE);
 }
 
-// The lamp, tested with a cone as wide as the lamp, and the ambient light, which is weaker where
-// objects are close together.
+// The light of the lamp, tested with a cone as wide as the lamp, and the ambient light, which is
+// weaker where objects are close together.
 vec3 lightAt(vec3 p, vec3 normal)
 {
     vec3 toLamp = LAMP - p;

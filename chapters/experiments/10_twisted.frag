@@ -1,5 +1,6 @@
-// Experiment of chapter 10: a figure is extruded, and on its way up it turns and shrinks. The
-// function looks like an extrusion but is not a distance: it grows faster than the point moves.
+// Experiment of chapter 10: a figure is extruded, and turns and shrinks with increasing height. The
+// function looks like an extrusion but is not a distance: it can change by more than the point
+// moves.
 #include "main.glsl"
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
@@ -10,7 +11,7 @@
 #include "shadow.glsl"     // shadowRay, shadowReach, lightReaching
 
 uniform float twist;        // 3 in [0, 6] step 0.2, radians per scene unit of height: rate at which the figure turns
-uniform float taper;        // 0.3 in [0, 0.45] step 0.05, per scene unit of height: rate at which it shrinks
+uniform float taper;        // 0.3 in [0, 0.45] step 0.05, per scene unit of height: rate at which the figure shrinks
 uniform float factor;       // 1 in [0.1, 1] step 0.05: factor for the distance to the wall
 uniform int   maxSteps;     // 400 in [1, 1024]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0002 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
@@ -31,7 +32,7 @@ float figure(vec2 q)
     return opRound(bars, 0.11);
 }
 
-// The figure at the height of p, scaled and turned as it is there. The function is zero on the
+// The figure at the height of p, scaled and turned as at this height. The function is zero on the
 // wall, but it is not a distance.
 float wallFunction(vec3 p)
 {

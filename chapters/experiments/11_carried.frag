@@ -2,7 +2,7 @@
 // the distance, in a vec2, as in the workshop. Where two materials blend, the share is carried too,
 // as the fractional part of the number. The picture is the same as the chapter's; compare the cost.
 //
-// The chapter's own rayColour is renamed.
+// The chapter's rayColour is renamed.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "11_materials.frag"

@@ -7,7 +7,7 @@
 //          Where one of two neighbours shows a ball and the other the plane, the footprint is
 //          undefined and wrong, as the outlines show
 //
-// This is the only shader of the course that uses derivatives across pixels.
+// Apart from the figures, only this shader and 20_seam.frag use derivatives across pixels.
 #include "main.glsl"
 #include "orthographic.glsl"
 #include "cone.glsl"

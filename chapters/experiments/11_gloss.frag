@@ -1,7 +1,7 @@
 // Experiment of chapter 11: two rows of seven balls, from smooth to rough. The upper row uses GGX,
-// the lower one Blinn and Phong with the exponent that corresponds to the same roughness. The tiny
-// mirrors reflect all light that they receive, and nothing enters the balls: light that is missing
-// was lost between the tiny mirrors.
+// and the lower row uses Blinn and Phong's highlight with the exponent that corresponds to the same
+// roughness. The tiny mirrors reflect all light that they receive, and nothing enters the balls:
+// light that is missing was lost between the tiny mirrors.
 #include "main.glsl"
 #include "cone.glsl"
 #include "normal.glsl"
@@ -10,7 +10,7 @@
 #include "lighting.glsl"
 
 const vec3 TO_LIGHT = vec3(-0.48, 0.64, 0.6);
-const float APART = 1.0; // distance between balls, scene units
+const float APART = 1.0; // distance between the centres of neighbouring balls, scene units
 
 Ray pixelRay(vec2 screen)
 {

@@ -15,11 +15,11 @@
 #include "shadow.glsl"
 #include "bounds.glsl"
 
-uniform bool  shifted; // false: whether to use the workshop's repeat, half a period off
+uniform bool  shifted; // false: use the workshop's repeat, which is off by half a period
 uniform int   cut;     // 0 in [0, 1]: 0 intersection of box and balls, 1 box minus balls
 uniform float radius;  // 0.42 in [0.1, 0.7] step 0.02, scene units: radius of the balls, which are 1 apart
 
-const vec3 HALF_SIZE = vec3(2.5); // of the box, scene units
+const vec3 HALF_SIZE = vec3(2.5); // half size of the box, scene units
 const vec3 REACH = vec3(2.75);    // half size of a box around everything
 const vec3 TO_LIGHT = vec3(-0.48, 0.64, 0.6);
 

@@ -1,10 +1,10 @@
-// Experiment of chapter 11: the workshop's three balls, melted into each other, with three ways to
-// mix their materials. The numbers of the balls are the workshop's: 2 on the left, 5 on the right,
-// 0.1 above.
+// Experiment of chapter 11: the workshop's three balls, melted into each other, with three methods
+// of mixing their materials. The numbers of the materials are the workshop's: 2 on the left, 5 on
+// the right, 0.1 above.
 //
 //   way=0  records, mixed in the shares of the smooth union
 //   way=1  the workshop's numbers, mixed with the weight clamp(a - d, 0, 1), which is blend / 6
-//          where it should be 1 / 2, and multiplied into a colour
+//          where it should be 1 / 2; a colour is then computed from the number
 //   way=2  numbers, mixed in the right shares, then looked up in a table: between 2 and 5 are 3 and
 //          4, which are other materials
 #include "main.glsl"
@@ -36,7 +36,7 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// The distances to the balls: left, right, above.
+// The distances to the balls on the left, on the right and above.
 vec3 ballDistances(vec3 p)
 {
     p -= vec3(0.0, 1.05, 0.0);
@@ -50,7 +50,7 @@ float sceneDistance(vec3 p)
     return opUnion(p.y, opSmoothUnion(opSmoothUnion(ball.x, ball.y, blend), ball.z, blend));
 }
 
-// The workshop's opBlend: one distance and one number from two of each.
+// The workshop's opBlend: two pairs of a distance and a number become one pair.
 vec2 opBlend(vec2 a, vec2 b, float weight)
 {
     return vec2(opSmoothUnion(a.x, b.x, blend), mix(a.y, b.y, weight));

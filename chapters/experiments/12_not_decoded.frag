@@ -1,6 +1,6 @@
-// Experiment of chapter 12: the granite's picture read as numbers. Its bytes are made for a screen
-// and are not light. Used as light they are too bright and too pale, and at the end they are
-// encoded a second time.
+// Experiment of chapter 12: the granite's texture is read without being decoded. Its bytes are
+// values for a screen, not light. When they are used as light, they are too bright and too pale,
+// and at the end they are encoded a second time.
 //
 // A second sampler reads the same file; the chapter's call is redirected to it.
 #include "main.glsl"

@@ -5,7 +5,7 @@
 #include "texture.glsl"
 
 uniform sampler3D volume; // "noise.png" linear repeat 64: value noise, 16 cells per repeat
-uniform bool divided;     // false: whether to divide by the sum of the weights
+uniform bool divided;     // false: divide by the sum of the weights
 
 vec4 fourOctaves(vec3 p, Footprint f)
 {

@@ -1,8 +1,8 @@
-// Experiment of chapter 13: where one march is wrong. The picture is blue where the shadow from
-// one march is darker than the estimate from 64 rays, and orange where it is lighter. Where the two
+// Experiment of chapter 13: where one march is wrong. The picture is blue where the shadow from one
+// march is darker than the estimate from 64 rays, and orange where it is lighter. Where the two
 // agree, the picture shows the scene in grey.
 //
-// The chapter's own rayColour is renamed; everything else is the chapter's.
+// The chapter's rayColour is renamed; everything else is as in the chapter.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"

@@ -1,8 +1,8 @@
 // Experiment of chapter 13: the shadows of three objects on a floor that is perpendicular to the
-// light. The columns are a half-plane, a ball and a thin bar. In each field, the horizontal position
-// is that of the point on the floor, and the vertical position is the height of the object. The rows
-// are the visible share of the lamp in closed form, then one march with the smallest distance / t,
-// and one with pairs of steps.
+// light. The columns are a half-plane, a ball and a thin bar. In each field, the horizontal axis is
+// the position of the point on the floor, and the vertical axis is the height of the object. The
+// rows show the visible share of the lamp: in closed form, from one march with the smallest
+// distance / t, and from one march with pairs of steps.
 #include "main.glsl"
 #include "lighting.glsl"
 #include "primitives.glsl"
@@ -17,14 +17,14 @@ const vec3  UP = vec3(0.0, 1.0, 0.0);        // the lamp's direction
 const vec3  DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02);
 
 int   thing;  // 0 half-plane, 1 ball, 2 bar
-float height; // of the object above the floor, scene units
+float height; // the object's height above the floor, scene units
 
 Ray pixelRay(vec2 screen)
 {
     return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0));
 }
 
-// The object, and the floor a little below the shaded point.
+// The distance to the object and to the floor, which is slightly below the shaded point.
 float sceneDistance(vec3 p)
 {
     vec3 q = p - height * UP;
@@ -34,13 +34,15 @@ float sceneDistance(vec3 p)
     return min(distance, p.y + 0.002);
 }
 
-// The visible share of the lamp at a point of the floor: beside one edge, beside a ball, or on both
+// The visible share of the lamp at a point on the floor: beside one edge, beside a ball, or on both
 // sides of a bar with two edges.
-//   x  distance from the edge, or from the centre, scene units
+//   x  position relative to the edge or the centre, scene units
 float truth(float x)
 {
     vec3 p = vec3(x, 0.0, 0.0), along = vec3(0.0, 0.0, 1.0);
-    float wide = BAR / sqrt(max(height * height + x * x - BAR * BAR, 1e-6)); // tangents
+    // Tangents of angles: half the angle that the bar subtends, and the directions of its middle
+    // and its edges.
+    float wide = BAR / sqrt(max(height * height + x * x - BAR * BAR, 1e-6));
     float middle = abs(x) / height;
     float near = (middle - wide) / (1.0 + middle * wide), far = (middle + wide) / (1.0 - middle * wide);
     float bar = discBesideEdge(near / spread) + 1.0 - discBesideEdge(far / spread);

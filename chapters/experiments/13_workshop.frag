@@ -1,10 +1,9 @@
-// Experiment of chapter 13: soft shadows as in the workshop's listing. It draws one random number per
-// pixel, not one per ray, so that all its rays are the same; it shifts the ray only along the
-// diagonal (1, 1, 1); it does not normalise the direction; and it darkens all the light. Each of
-// these mistakes can be mended.
+// Experiment of chapter 13: soft shadows as in the workshop's listing. It draws one random number per pixel, not one
+// per ray, so that all its rays are the same; it shifts the ray only along the diagonal (1, 1, 1); it does not
+// normalise the direction; and it darkens all the light. The parameters correct all of these mistakes except the shift
+// along the diagonal.
 //
-// The workshop's number comes from a sine, which differs from driver to driver. Here it comes from
-// pixelRandom.
+// The workshop's number comes from a sine, which differs from driver to driver. Here it comes from pixelRandom.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"
@@ -12,10 +11,10 @@
 
 uniform float falloff;  // 0.04 in [0, 0.5] step 0.02: how far the ray is shifted, the workshop's SHADOW_FALLOFF
 uniform bool  eachRay;  // false: each ray has its own random number
-uniform bool  unit;     // false: directions of length 1
+uniform bool  unit;     // false: normalise the directions
 uniform bool  sunAlone; // false: the shadow darkens only the sun's light, not the ambient light
 
-// The share of the rays that arrive.
+// The share of the rays that reach the sun.
 float workshopReaching(Ray ray, float far)
 {
     float arrived = 0.0;

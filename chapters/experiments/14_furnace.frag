@@ -1,6 +1,6 @@
 // Experiment of chapter 14: the white furnace. Everything is white and reflects all the light that
-// it receives, under a sky of light 1. Then everything must look as bright as the sky, so that
-// nothing is visible. Blue is too dark; orange, drawn three times as strong, is too light.
+// it receives, under a sky whose light is 1. Everything must then look as bright as the sky, so
+// nothing should be visible. Blue is too dark; orange, drawn three times as strong, is too light.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "14_occlusion.frag"

@@ -1,9 +1,9 @@
 // Experiment of chapter 14: a level floor beside four objects: a wall, a groove between two walls,
 // a thin bar, and a ball that lies on the floor. In each field the point on the floor moves from
-// left to right, and from bottom to top the object grows: the wall and the groove's walls get
-// higher, the bar is raised, and the ball's radius grows. The rows are A, the openness in closed
-// form; T, five taps; and T - A, where blue is too dark and orange too light. Above each column the
-// object is drawn in section.
+// left to right, and from bottom to top the object changes: the wall and the groove's walls get
+// higher, the bar is raised, and the ball's radius grows. The rows show A, the openness in closed
+// form; T, the estimate from five taps; and T - A, where blue is too dark and orange too light.
+// Above each column the object is drawn in section.
 #include "main.glsl"
 #include "lighting.glsl"
 #include "occlusion.glsl"
@@ -20,14 +20,14 @@ const vec3  INK = vec3(0.05, 0.06, 0.08);
 const vec3  DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02);
 
 int   thing; // 0 wall, 1 groove, 2 bar, 3 ball
-float size;  // of the object, scene units
+float size;  // height of the walls or of the bar, or radius of the ball, scene units
 
 Ray pixelRay(vec2 screen)
 {
     return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0));
 }
 
-// A wall on the left, with its foot at x = 0; exact in front of it.
+// The distance to a wall on the left, whose foot is at x = 0. It is exact in front of the wall.
 float wallDistance(float x, float y)
 {
     return length(vec2(x, max(y - size, 0.0)));
@@ -45,7 +45,7 @@ float sceneDistance(vec3 p)
 float truth(float x)
 {
     float left = openBeforeWall(HALF_GROOVE + x, size), right = openBeforeWall(HALF_GROOVE - x, size);
-    float bar = 1.0 - BAR * size / (x * x + size * size); // cosine of its angle, times the sine of half its width
+    float bar = 1.0 - BAR * size / (x * x + size * size); // cosine of the bar's angle times the sine of half its width
     float ball = 1.0 - hiddenByBall(vec3(x, 0.0, 0.0), UP, size * UP, size);
     return thing == 0 ? openBeforeWall(x, size) : (thing == 1 ? left + right - 1.0 : (thing == 2 ? bar : ball));
 }
@@ -62,7 +62,7 @@ float lettersDistance(vec2 q, int row)
 
 vec3 rayColour(Ray ray)
 {
-    vec2 corner = vec2(ray.origin.x + 16.0 / 9.0, 1.0 - ray.origin.y) - MARGIN; // relative to the upper left field
+    vec2 corner = vec2(ray.origin.x + 16.0 / 9.0, 1.0 - ray.origin.y) - MARGIN; // from the fields' upper left corner
     float column = corner.x / FIELD.x, row = corner.y / FIELD.y; // 4 columns and 3 rows
     float along = fract(column), grown = 1.0 - fract(row);
     thing = clamp(int(column), 0, 3);

@@ -1,7 +1,7 @@
 // Experiment of chapter 14: the workshop's occlusion, 1 - steps / most. In the workshop's code,
 // both numbers are integers, so the quotient is 0 except for rays that use up all their steps.
 //
-// The chapter's own rayColour is renamed; everything else is the chapter's.
+// The chapter's rayColour is renamed; everything else is as in the chapter.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "14_occlusion.frag"

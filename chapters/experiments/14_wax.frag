@@ -1,5 +1,5 @@
 // Experiment of chapter 14: three candles and a sprig of leaves on a sill, at dusk. The light that
-// shines through wax and leaf comes from the flames, and the path inside weakens it.
+// shines through wax and leaf comes from the flames, and is weakened along its path inside.
 #include "main.glsl"
 #include "bounds.glsl"
 #include "combine.glsl"
@@ -93,8 +93,8 @@ Spot spotAt(Ray ray, float t)
     return Spot(p, normalAt(p, radius), colour, wax ? WAX_DEPTH : (leaf ? LEAF_DEPTH : vec3(0.0)), radius);
 }
 
-// The path inside wax or leaf towards a lamp, or an estimate of it from five distances below the
-// surface.
+// The length of the path inside wax or leaf towards a lamp, or an estimate of this length from five
+// distances below the surface.
 float wayInside(Spot spot, vec3 toLamp, float far)
 {
     float sum = 0.0;
@@ -116,7 +116,7 @@ vec3 flameLight(Spot spot, vec3 flame)
 }
 
 // The flame itself, an upright ellipsoid, and the glow of the air around it.
-//   far  where the ray ends
+//   far  t at which the ray ends, scene units
 vec3 flameSeen(Ray ray, vec3 flame, float far)
 {
     vec3 squeeze = vec3(1.0, 0.4, 1.0), from = squeeze * (ray.origin - flame), along = squeeze * ray.direction;

@@ -1,11 +1,11 @@
 // Experiment of chapter 15: the workshop's contrast, smoothstep(0, 1, colour), applied to the light
-// or to the encoded numbers. The film's curve is left out, because it has its own contrast.
+// or to the encoded numbers. The film's curve is left out, because it also raises the contrast.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "15_the_picture.frag"
 #undef rayColour
 
-uniform bool before; // false: on the light, before it is encoded
+uniform bool before; // false: apply the contrast to the light, before it is encoded
 
 vec3 rayColour(Ray ray)
 {

@@ -1,6 +1,7 @@
-// Experiment of chapter 15: fog at the wrong stage. It is drawn as it should be; mixed into the
-// encoded numbers, after film and encoding; or in one grey, with an amount that depends only on the
-// distance to the hit, so that the sky has none and the sun does not affect it.
+// Experiment of chapter 15: fog at the wrong stage. The parameter `fogWay` selects one of three
+// fogs: the correct one; one that is mixed into the encoded values, after film and encoding; and
+// one of a single grey, with an amount that depends only on the distance to the hit, so that the
+// sky has no fog and the sun does not affect the fog.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "15_the_picture.frag"

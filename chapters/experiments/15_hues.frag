@@ -1,7 +1,7 @@
 // Experiment of chapter 15: what three curves do to six colours with increasing exposure. The rows
-// are six hues, and from left to right there are eight stops, from dark to dazzling. Each row has
-// three strips: clamped, the film's curve on each channel, and the film's curve on the largest
-// channel.
+// are six hues, and the exposure increases by eight stops from left to right, from dark to
+// dazzling. Each row has three strips: clamped, the film's curve on each channel, and the film's
+// curve on the largest channel.
 #include "main.glsl"
 #include "film.glsl"
 #include "hue.glsl"

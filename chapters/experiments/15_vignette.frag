@@ -1,6 +1,6 @@
-// Experiment of chapter 15: a vignette as the workshop describes it, which darkens a picture by the
-// distance from its centre, compared with cos^4. The workshop's vignette multiplies the encoded
-// numbers, and does not depend on the lens.
+// Experiment of chapter 15: a vignette as the workshop describes it, which darkens a picture
+// according to the distance from its centre, compared with cos^4. The workshop's vignette
+// multiplies the encoded values, and does not depend on the lens.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "15_the_picture.frag"

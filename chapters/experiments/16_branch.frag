@@ -1,14 +1,14 @@
 // Experiment of chapter 16: bounding volumes inside the distance. Far from a box the distance to
-// the box is enough, and its contents need not be evaluated: there is an if for each group.
+// the box is enough, and its contents need not be evaluated: an if skips them for each group.
 //
-// The picture is the same. Whether it is drawn faster depends on the machine; to measure this, run
-// build/tests/measure speed.
+// The picture is the same as the chapter's. Whether it is drawn faster depends on the machine; to
+// measure this, run build/tests/measure speed.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "16_fewer_steps.frag"
 #undef sceneDistance
 
-uniform float near; // 0.5 in [0.01, 100] step *2, scene units: nearer to a box than this, its contents are evaluated
+uniform float near; // 0.5 in [0.01, 100] step *2, scene units: below this distance to a box, its contents are evaluated
 
 float boxed(vec3 p, vec3 low, vec3 high)
 {

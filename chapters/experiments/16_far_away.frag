@@ -1,7 +1,8 @@
 // Experiment of chapter 16: a harp far from the origin, and the limits of a float.
 //
-// The camera is given in the same coordinates as the harp. With `mended` the harp's position is subtracted once from
-// the position of the eye, and the march works with positions that are small, so their rounding is small too.
+// The camera is given in the same coordinates as the harp. If the parameter `mended` is on, the harp's position is
+// subtracted once from the position of the eye, and the positions in the march are small, so their rounding errors are
+// small too.
 #include "main.glsl"
 #include "camera.glsl"
 #include "march.glsl"

@@ -1,9 +1,9 @@
 // Experiment of chapter 16: a frame of chapter 03 in less time. A formula finds where a ray meets
-// the stage, so it is not part of the distance; rays are marched only in the boxes around the three
-// groups of objects on the stage; normal and shadow share one loop.
+// the stage, so the stage is not part of the distance; rays are marched only in the boxes around
+// the three groups of objects on the stage; the normal and the shadow share one loop.
 //
-// The colours are those of chapter 03. On a machine that runs in lockstep, a loop takes at least
-// one turn for every pixel, so one loop fewer saves one evaluation.
+// The colours are those of chapter 03. On a machine whose pixels run in lockstep, every pixel takes
+// at least one iteration of each loop, so one loop fewer saves one evaluation.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #define rayColour chapterRayColour
@@ -14,7 +14,7 @@
 const vec3  STAGE = vec3(0.0, -0.1, 0.0), STAGE_HALF = vec3(2.6, 0.1, 2.2); // centre and half size
 const vec3  FRAME = vec3(0.4, 0.8, -0.5), BALL = vec3(1.75, 0.4, 1.2);       // centres
 const vec3  BLOCK = vec3(-1.6, 0.3, 0.1), BLOCK_HALF = vec3(0.35, 0.3, 0.55);
-const float MARGIN = 0.01;      // by which the boxes are larger than their contents
+const float MARGIN = 0.01;      // how much larger the boxes are than their contents
 const float MET_BEFORE = 0.7;   // in thresholds: how far in front of the stage a march ends, on average
 
 float squareOutside(vec3 q)
@@ -28,9 +28,9 @@ float largest(vec3 q)
     return max(q.x, max(q.y, q.z));
 }
 
-// The scene of chapter 03 without the stage. The frame consists of three boxes, the block of one.
-// Of the four distances outside, the smallest has the smallest square, so one root is enough;
-// inside, depths need no root.
+// The scene of chapter 03 without the stage. The frame is the union of three boxes, and the block
+// is a single box. Of the four distances outside, the smallest has the smallest square, so one root
+// is enough; inside, depths need no root.
 float sceneDistance(vec3 p)
 {
     vec3 q = p - FRAME, outer = abs(q) - 0.8, inner = abs(outer + 0.07) - 0.07;
@@ -52,8 +52,8 @@ vec2 inBox(vec3 origin, vec3 inverse, vec3 centre, vec3 halfSize)
     return vec2(max(0.0, max(entry.x, max(entry.y, entry.z))), min(leave.x, min(leave.y, leave.z)));
 }
 
-// One box for the frame with both balls on its axis, one for the ball beside it, and one for the
-// block.
+// The interval in which a ray is inside one of three boxes: one for the frame with both balls on
+// its axis, one for the ball beside it, and one for the block.
 vec2 groupsInterval(vec3 origin, vec3 inverse)
 {
     vec2 frame = inBox(origin, inverse, vec3(0.4, 1.165, -0.5), vec3(0.8, 1.165, 0.8) + MARGIN);
@@ -88,8 +88,8 @@ vec3 rayColour(Ray ray)
     vec2 shade = groupsInterval(p, 1.0 / toLight);
     float t = shade.x, far = shadows ? min(shade.y, sun ? FAR : distance) : 0.0;
 
-    // Turns 0 to 5 compute the differences of a normal, as normalAt does; then the shadow is
-    // marched. A point on the stage begins with the shadow.
+    // In iterations 0 to 5, compute the differences of a normal, as normalAt does; after that,
+    // march the shadow ray. For a point on the stage, the loop begins with the shadow ray.
     int turn = hit.found ? 0 : 6;
     vec3 gradient = hit.found ? vec3(0.0) : stageNormal(p, normalStep), normal = gradient;
     bool dark = false, searching = hit.found || (onStage && t < far && dot(normal, toLight) > 0.0);

@@ -11,7 +11,7 @@
 #undef sceneDistance
 #undef rayColour
 
-// The distance to the pyramid alone.
+// The distance to the pyramid, without the slab.
 float sceneDistance(vec3 p)
 {
     return sdSierpinskiPlanes(pyramidPoint(p), SIZE, levels);
@@ -24,7 +24,7 @@ float turnedDistance(Ray turned, float t)
     return sdSierpinskiPlanes(turned.origin + t * turned.direction, SIZE, levels);
 }
 
-// boxInterval of bounds.glsl, with multiplications instead of most of its divisions.
+// boxInterval of bounds.glsl for the slab, with multiplications instead of most of its divisions.
 vec2 inSlab(Ray ray)
 {
     vec3 inverse = 1.0 / ray.direction;
@@ -70,9 +70,9 @@ End endOf(Ray ray, float spread)
     return End(t, met, near);
 }
 
-// The normal from both distances. The pyramid is well inside the slab's outline, so near it the
-// distance to the slab is the height.
-//   asked  false to leave the loop at once
+// The normal from both distances. The pyramid is well inside the slab's outline, so near the pyramid the distance to
+// the slab is the height.
+//   asked  if false, the loop ends at once
 vec3 bothNormal(vec3 p, float h, bool asked)
 {
     vec3 gradient = vec3(0.0);

@@ -1,6 +1,7 @@
 // Experiment of chapter 16: a frame of chapter 09 in less time. The rays begin where the coarse
-// pass ended. With marchCrossing they end where the city comes as near as the pixel's width: at the
-// same point, wherever they began. The distance is that of city.glsl with fewer operations.
+// pass ended. They are marched with marchCrossing, which ends where the distance to the city equals
+// the threshold: at the same point, wherever the march began. The distance is that of city.glsl
+// with fewer operations.
 #include "main.glsl"
 #include "cone.glsl"
 #include "crossing.glsl"
@@ -37,13 +38,15 @@ float sceneDistance(vec3 p)
     float base = max(wide - 4.5 * BAY.x, up - floor(1.0 + 4.0 * r.z) * BAY.y);
     float wall = 0.5 * PERIOD - wide + GAP;
 
-    float x = a.x - 2.1, square = local.z * local.z, over = local.y - 1.1; // x from the pavement
+    float x = a.x - 2.1, square = local.z * local.z, over = local.y - 1.1; // x is measured from the lamp's foot
     float arm = x - clamp(x, 0.0, LAMP.x);
     vec3 bulb = vec3(x, local.yz) - LAMP;
     float post = sqrt(x * x + square + max(over, 0.0) * max(over, 0.0)) - 0.018;
     float lamp = min(sqrt(arm * arm + over * over + square) - 0.012, sqrt(dot(bulb, bulb)) - 0.045);
 
-    float across = x * x + (a.z - 1.5) * (a.z - 1.5), rise = local.y - clamp(local.y, 0.5, 1.0); // of a tree
+    // The squared horizontal distance from a tree's axis, and the height above or below the axis of
+    // its crown.
+    float across = x * x + (a.z - 1.5) * (a.z - 1.5), rise = local.y - clamp(local.y, 0.5, 1.0);
     float crown = 0.98 * (sqrt(across + rise * rise) - 0.3 + 0.2 * (local.y - rise));
     float trunk = max(sqrt(across) - 0.03, local.y - 0.6);
     return min(min(min(shaft, base), min(wall, post)), min(lamp, min(crown, trunk)));

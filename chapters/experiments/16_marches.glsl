@@ -26,8 +26,8 @@ const int MARCH_STEPS = 4096;
 
 uniform bool numbers; // false: show evaluations, depth and hit of the first march as numbers for the tests
 
-// A bound of how fast the scene's distance can fall along a segment of a ray: the largest -d'(t), per scene unit,
-// at most 1. A scene that has a better bound than 1 defines FALL_KNOWN and its own function.
+// An upper bound of how fast the scene's distance can fall along a segment of a ray: the largest -d'(t), per scene
+// unit, at most 1. A scene that has a better bound than 1 defines FALL_KNOWN and this function.
 //   p, v    start and direction of the segment
 //   reach   its length, scene units, > 0
 float fallAlong(vec3 p, vec3 v, float reach);
@@ -76,14 +76,14 @@ Hit marchKeinert(Ray ray, float tMin, float tMax, float threshold, float omega, 
 }
 
 // ENHANCED: the step that would be right if the surface were a plane.
-//   formula  the last two points that counted give the slope s = (d' - d) / (t - t'). The balls around t and the
-//            next point touch, if the slope remains, after d + d (1 - s) / (1 + s); the second term is
+//   formula  the last two points that counted give the slope s = (d' - d) / (t - t'). If the slope stays the same, the
+//            balls around t and the next point touch after a step of d + d (1 - s) / (1 + s); the second term is
 //            multiplied by omega, 0 <= omega <= 1. The march goes back, as RELAXED does, if the balls do not touch,
 //            but the next step is relaxed again
 //   bound    at most 2 n - 2 evaluations where the plain march takes n >= 2, for a 1-Lipschitz distance
 //   safe     for all lower bounds
-// Source: C. Balint, G. Valasek, 'Accelerating sphere tracing', Eurographics 2018. The clamp of s is ours: at
-// s = -1, moving straight away, the step would be infinite.
+// Source: C. Balint, G. Valasek, 'Accelerating sphere tracing', Eurographics 2018. The clamp on s is not in the source:
+// at s = -1, moving straight away, the step would be infinite.
 Hit marchEnhanced(Ray ray, float tMin, float tMax, float threshold, float omega, int maxSteps)
 {
     traceBegin(tMin, tMax);
@@ -113,7 +113,7 @@ Hit marchEnhanced(Ray ray, float tMin, float tMax, float threshold, float omega,
 //            step is min(d / s, h), and the next segment is twice as long as the step
 //   bound    where s = 1, the march is plain. Each step also computes s, which costs about as much as d
 //   safe     if s is a bound; where the distance is convex along the ray, as in front of one convex body,
-//            -d'(t) at the start is one
+//            -d'(t) at the start is such a bound
 // Source: E. Galin, E. Guerin, A. Paris, A. Peytavie, 'Segment tracing using local Lipschitz bounds', Eurographics
 // 2020.
 Hit marchSegment(Ray ray, float tMin, float tMax, float threshold, int maxSteps)
@@ -139,8 +139,8 @@ Hit marchSegment(Ray ray, float tMin, float tMax, float threshold, int maxSteps)
 }
 
 // OVERSTEP: long steps that nothing checks, and bisection once a surface has been passed.
-//   formula  t + omega d, until d < 0; then halve the interval from the last point outside to this one
-//   bound    none on what it misses: a body thinner than (omega - 1) d may be stepped over
+//   formula  t + omega d, until d < 0; then the interval from the last point outside to this point is halved repeatedly
+//   bound    none: a body thinner than (omega - 1) d may be stepped over
 //   safe     never, for omega > 1
 // The method is older than sphere tracing; any fixed-step march with bisection is of this kind.
 Hit marchOverstep(Ray ray, float tMin, float tMax, float threshold, float omega, int maxSteps)
@@ -180,7 +180,7 @@ Hit marchTight(Ray ray, float tMin, float tMax)
 }
 
 // CONE is marchCone with the footprint of a pixel, and COARSE is march from where the coarse pass ended. Their sources
-// are in cone.glsl and coarse.glsl.
+// are named in cone.glsl and coarse.glsl.
 Hit marchChosen(Ray ray, float tMin, float tMax, float threshold)
 {
 #if MARCH == RELAXED
@@ -218,7 +218,7 @@ Hit firstMarch(Ray ray, float tMin, float tMax, float threshold)
     return hit;
 }
 
-// A number of evaluations as a colour of chapter 16.
+// The colour of chapter 16 for a number of evaluations.
 vec3 marchCountColour(int count)
 {
     const vec3 colours[5] = vec3[5](vec3(0.05, 0.04, 0.15), vec3(0.24, 0.16, 0.43), vec3(0.62, 0.27, 0.46),
@@ -228,8 +228,8 @@ vec3 marchCountColour(int count)
     return mix(colours[i], colours[i + 1], x - float(i));
 }
 
-// The colour of a pixel: the number of evaluations from night blue to straw, for 64 or more; or three numbers in
-// [0, 1].
+// The colour of a pixel: the number of evaluations, from night blue for 0 to straw for 64 or more; or three numbers in
+// [0, 1] if the parameter `numbers` is on.
 vec3 marchColour()
 {
     int end = hitOfMarch.found ? END_HIT : (hitOfMarch.t >= trace.interval.y ? END_PASSED : END_STEPS);

@@ -1,8 +1,8 @@
 // The report's figure 9, redrawn: the frame of a box and a column of balls, their shadow on a slab,
 // and their reflection in the polished slab.
 //
-// The two rays of a pixel, from the eye and reflected, take turns in one loop: on a machine that
-// runs in lockstep, a block of pixels can leave a loop early, but not an if.
+// The two rays of a pixel, the ray from the eye and the reflected ray, share one loop: on a machine
+// whose pixels run in lockstep, a block of pixels can leave a loop early, but it cannot skip an if.
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
@@ -26,9 +26,9 @@ const float BALL = 0.15;                           // radius of a ball
 const float LAST = 3.0;                            // there is a ball at each integer height from 0 to LAST
 const vec3  SLAB = vec3(0.0, -0.96, 0.0);          // centre and half size of the slab
 const vec3  SLAB_HALF = vec3(1.5, 0.1, 1.5);
-const float MARGIN = 0.01;                         // by which the bounds are larger than their contents
+const float MARGIN = 0.01;                         // how much larger the bounds are than their contents
 
-const vec3  TO_SUN = vec3(0.28606, 0.90525, -0.31503); // length 1
+const vec3  TO_SUN = vec3(0.28606, 0.90525, -0.31503); // length 1 to three digits
 const vec3  SUN_COLOUR = vec3(1.12, 0.96, 0.76);   // light of the sun on a surface that faces it, linear RGB
 const vec3  SKY_LIGHT = vec3(0.07, 0.14, 0.17);    // ambient light on a surface that faces the sun
 const vec3  SLAB_LIGHT = vec3(0.015, 0.022, 0.03); // ambient light on a surface that faces away from the sun
@@ -41,7 +41,7 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// The distance to the frame and the balls; the slab is not part of it.
+// The distance to the frame and the balls, without the slab.
 float sceneDistance(vec3 p)
 {
     float column = sdSphere(vec3(p.x, opRepeatLimited(p.y, 1.0, 0.0, LAST), p.z), BALL);
@@ -100,14 +100,14 @@ Spot spotAlong(Ray ray)
 vec3 rayColour(Ray ray)
 {
     vec3 light = vec3(0.0);
-    float share = 1.0; // how much the ray's light counts in the pixel
+    float share = 1.0; // weight of the ray's light in the pixel
     for (int turn = 0; turn < rays && share > 0.0; turn++) {
         Spot spot = spotAlong(ray);
         vec3 seen = (spot.onSlab ? SLAB_COLOUR : OBJECT_COLOUR) * receivedLight(spot.p, spot.normal);
         light += share * (spot.met ? seen : skyLight(ray.direction));
 
-        // The reflected ray, if it can hit something. Otherwise it meets the sky, which takes no
-        // turn.
+        // Continue with the reflected ray if it can hit something. Otherwise it meets the sky,
+        // which needs no further iteration.
         share *= spot.onSlab ? schlickShare(max(-dot(ray.direction, spot.normal), 0.0), STRAIGHT) : 0.0;
         ray = Ray(spot.p + 4.0 * hitThreshold * spot.normal, reflect(ray.direction, spot.normal));
         vec2 interval = sceneInterval(ray);

@@ -1,8 +1,8 @@
-// The report's figure 11, redrawn: slender towers on lawns between two roads, a lamp in front of
-// them, the sky of the hour, and reflections of all this in the windows.
+// The report's figure 11, redrawn: slender towers on lawns between two roads, a lamp in front of them, the sky of the
+// hour, and reflections of all this in the windows.
 //
-// Hour, sky and exposure are those of chapter 09; two of its functions are renamed. As in
-// 16_report_boxes, the ray from the eye and the reflected ray take turns in one loop.
+// The hour, the sky and the exposure are those of chapter 09, two of whose functions are renamed. As in
+// 16_report_boxes, the ray from the eye and the reflected ray share one loop.
 #include "main.glsl"
 #define sceneDistance chapterSceneDistance
 #define rayColour chapterRayColour
@@ -19,7 +19,7 @@ uniform bool parks;   // true: the distance takes into account where there are n
 
 // Lengths as measured in the figure; a scene unit is about a metre. As in chapter 09, x is north
 // and z east.
-const float PLOT = 5.0;                            // distance from the centre of a tower to the next
+const float PLOT = 5.0;                            // distance between the centres of neighbouring towers
 const float BLOCK = 25.0;                          // distance from road to road: four plots and the road
 const float ROAD = 2.5;                            // half the width of a road
 const float FLOOR = 1.7;                           // height of a floor; a tower is 2 wide
@@ -35,10 +35,10 @@ const float SHADOW = 40.0;                         // length of a shadow ray
 const float NEAR = 0.001;                          // the distance that counts as a hit, for the ray from the eye
 const int   STEPS = 400;                           // steps after which a ray is abandoned
 
-// A point on its plot.
+// A point in the coordinates of its plot.
 struct Plot {
     vec2  local;  // from the centre of the plot: x and z
-    vec2  aside;  // the same, perpendicular to the nearest wall and along it, each >= 0
+    vec2  aside;  // their absolute values: perpendicular to the nearest wall, and along it
     float floors; // number of floors of the tower; 0 on a road or in a park
 };
 
@@ -65,8 +65,8 @@ float postDistance(vec3 q)
     return min(max(post, q.y - GLOBE.y), sdSphere(q - GLOBE, GLOBE_RADIUS));
 }
 
-// The smallest of the distances to the tower of this plot and to the lamp, and of a lower bound for
-// all other towers. It is a lower bound and 1-Lipschitz.
+// The smallest of the distance to the tower of this plot, the distance to the lamp, and a lower bound for all other
+// towers. The result is a lower bound and 1-Lipschitz.
 float sceneDistance(vec3 p)
 {
     Plot plot = plotAt(p);
@@ -99,7 +99,7 @@ struct Spot {
     bool  met, ground, post;  // on a tower if met and neither ground nor post
 };
 
-// The end of a ray: there are objects only between the ground and the highest roof.
+// The t at which a ray ends: there are objects only between the ground and the highest roof.
 float cityEnd(Ray ray, float far)
 {
     vec2 crossing = (vec2(0.0, HIGHEST) - ray.origin.y) / ray.direction.y;
@@ -113,6 +113,7 @@ float coarseMargin(float t)
     return NEAR;
 }
 
+// March along a ray, and describe the point where it ends.
 //   start  length of the path to the ray's origin
 //   clear  t up to which the ray is known to be free
 Spot spotAlong(Ray ray, float start, float clear)
@@ -126,7 +127,7 @@ Spot spotAlong(Ray ray, float start, float clear)
     vec2 outside = outsideTower(plot, p.y);
     vec3 normal = ground ? vec3(0.0, 1.0, 0.0) : post ? postNormal(q) : towerNormal(plot, outside);
     float facing = max(-dot(normal, ray.direction), 0.03);
-    float rest = ground || post ? 0.0 : max(outside.x, outside.y) / facing; // to the wall itself
+    float rest = ground || post ? 0.0 : max(outside.x, outside.y) / facing; // remaining distance to the wall
     if (met) { // report the ground to the views and the probe too
         traceNormal(normal);
         traceMarch(trace.steps, t, END_HIT);
@@ -145,8 +146,8 @@ float openingAt(vec2 at, Spot spot)
     return coverage(inside.x, spot.width / spot.facing) * coverage(inside.y, spot.width);
 }
 
-// A window is a shallow box: the share of the pixel that looks into it, and the share of this part
-// that sees the pane at its back and not a side.
+// A window is a shallow box. Returns the share of the pixel that looks into it, and the share of this part that sees
+// the pane at its back and not a side.
 vec2 windowAt(Spot spot, vec3 direction)
 {
     vec3 along = abs(spot.normal.zyx), local = plotAt(spot.p).local.xxy;

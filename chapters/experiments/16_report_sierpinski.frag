@@ -1,8 +1,8 @@
 // The report's figure 10, redrawn: Sierpinski's pyramid in a parallel view, with its light and its
 // shadow.
 //
-// The pyramid stands on an edge, as in the formula of its distance; its corners are (1, 1, 1),
-// (1, -1, -1), (-1, 1, -1) and (-1, -1, 1).
+// The pyramid stands on an edge, as in the formula for its distance; its corners are (1, 1, 1), (1,
+// -1, -1), (-1, 1, -1) and (-1, -1, 1).
 #include "main.glsl"         // main(): calls pixelRay, then rayColour
 #include "orthographic.glsl" // orthographicRay
 #include "cone.glsl"         // march, coneReaching
@@ -19,7 +19,7 @@ uniform float hitThreshold; // 0.0005 in [0.00001, 0.2] step *2, scene units: di
 
 const float HALF_HEIGHT = 1.567;                  // half the picture's height; half the cube's side is 1
 const float FAR = 8.0;                            // a ray that has travelled this far meets the sky
-const float MARGIN = 0.02;                        // by which the bound is larger than the pyramid
+const float MARGIN = 0.02;                        // how much larger the bound is than the pyramid
 const vec3  TO_SUN = vec3(0.447, 0.866, -0.224);  // length 1
 const float SUN_SPREAD = 0.03;                    // tangent of the angular radius of the sun's disc
 const vec3  SUN_COLOUR = vec3(1.35, 1.02, 0.70);  // light of the sun on a surface that faces it, linear RGB

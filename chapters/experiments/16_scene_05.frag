@@ -9,8 +9,8 @@ uniform bool own; // true: a stretch for each ray
 
 void stretchAlong(vec3 direction);
 
-// A march whose distances are divided by the stretches of this ray. Normals and the next ray use
-// again the stretches that are safe for all directions.
+// A march whose distances are divided by the stretches of this ray. Afterwards, normals and the
+// next ray again use the stretches that are safe for all directions.
 Hit ownMarch(Ray ray, float tMin, float tMax, float threshold, int maxSteps)
 {
     stretchAlong(own ? ray.direction : vec3(0.0));
@@ -23,8 +23,8 @@ Hit ownMarch(Ray ray, float tMin, float tMax, float threshold, int maxSteps)
 #define march ownMarch
 #include "05_transforms.frag"
 
-// The stretches of the scene along a direction, or for all directions if it is 0. The direction is
-// turned to the ring's axes; the scale of the ring does not change it.
+// Set the stretches of the scene for a direction, or for all directions if it is 0. The direction
+// is turned to the ring's axes; the scale of the ring does not change it.
 void stretchAlong(vec3 direction)
 {
     bool all = direction == vec3(0.0);

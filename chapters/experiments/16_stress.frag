@@ -1,7 +1,7 @@
 // Experiment of chapter 16: four scenes that are hard for a march, and one march of 16_marches.glsl. The colour of a
-// pixel is the number of evaluations.
+// pixel shows the number of evaluations.
 #ifndef MARCH
-#define MARCH PLAIN // or RELAXED, ENHANCED, SEGMENT, OVERSTEP, CONE, COARSE
+#define MARCH PLAIN // or RELAXED, ENHANCED, SEGMENT, OVERSTEP, CONE, COARSE, TIGHT
 #endif
 #define FALL_KNOWN
 
@@ -17,10 +17,10 @@ uniform int stress; // 3 in [0, 3]: a thin torus, a plane at a grazing angle, a 
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit
 
 const float FAR = 40.0;
-const vec2  TORUS = vec2(1.3, 0.01);   // radius of its circle and of its tube, scene units
+const vec2  TORUS = vec2(1.3, 0.01);   // radius of the circle and of the tube, scene units
 const float GROUND = 0.9;              // height of the plane
-const vec3  CUBE = vec3(0.8);          // half its size
-const float BEAM = 0.02;               // half the thickness of its beams
+const vec3  CUBE = vec3(0.8);          // half the size of the cube
+const float BEAM = 0.02;               // half the thickness of the cube's beams
 const vec3  PLATE = vec3(1.0, 0.002, 1.0); // half the size of a plate
 const int   PLATES = 9;
 const float APART = 0.2;
@@ -59,8 +59,9 @@ float boxFall(vec3 p, vec3 v, vec3 halfSize)
     return -dot(sign(p) * normal, v);
 }
 
-// The torus is not convex. With q the distance to its axis and D the distance to its circle, the distance function
-// bends downwards by at most (R - q) / (q D) where q < R, and not at all elsewhere.
+// The torus is not convex. With R the radius of its circle, q the distance to its axis and D the distance to its
+// circle, the second derivative of the distance along a ray is at least -(R - q) / (q D) where q < R, and at least 0
+// elsewhere.
 float torusFall(vec3 p, vec3 v, float reach)
 {
     float q = length(p.xz), D = length(vec2(q - TORUS.x, p.y));

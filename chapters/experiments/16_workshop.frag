@@ -1,8 +1,8 @@
 // Experiment of chapter 16: the workshop's castRay in its second form, with the 64 steps of the
-// first. When the steps run out, it reports a hit, even where nothing was found; and the number of
-// steps is divided as an integer.
+// first. When the steps run out, castRay reports a hit, even where nothing was found; and the
+// number of steps is divided as an integer.
 //
-// The chapter's own rayColour is renamed; everything else is the chapter's.
+// The chapter's rayColour is renamed; everything else is as in the chapter.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "16_fewer_steps.frag"

@@ -12,7 +12,7 @@
 
 uniform float sunElevation; // 14 in [0, 60] step 1, degrees: height of the sun, behind the eye
 uniform float sunWidth;     // 0.0093 in [0.002, 0.05] step *1.2, radians: angular diameter of the sun, which blurs the bow
-uniform int   waves;        // 12 in [1, 40]: wavelengths
+uniform int   waves;        // 12 in [1, 40]: number of wavelengths
 
 const vec2 WATER = vec2(1.3240, 0.00310); // Cauchy's coefficients
 const int RINGS = 48;
@@ -34,16 +34,16 @@ vec2 turned(vec2 a, vec2 b)
     return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
 
-// The sine of a minus b, which is about the difference in radians if that is small, and 1 or -1
-// beyond a quarter turn. Both angles are from 0 to half a turn.
+// The sine of a minus b, which is about the difference in radians if the difference is small, and 1
+// or -1 beyond a quarter turn. Both angles are from 0 to half a turn.
 float apart(vec2 a, vec2 b)
 {
     vec2 difference = turned(a, vec2(b.x, -b.y));
     return difference.x > 0.0 ? difference.y : sign(difference.y);
 }
 
-// The light of a shower in a direction at this angle to the point opposite the sun, reflected
-// `mirrored` times in each drop.
+// The light of a shower in a direction at the given angle from the point opposite the sun, after
+// `mirrored` reflections in each drop.
 float bowLight(vec2 angle, float index, int mirrored)
 {
     vec2 before = vec2(1.0, 0.0);
@@ -53,7 +53,8 @@ float bowLight(vec2 angle, float index, int mirrored)
         vec2 outside = vec2(sqrt(1.0 - b * b), b), inside = vec2(sqrt(1.0 - c * c), c);
         vec2 less = turned(inside, vec2(outside.x, -outside.y)), twice = turned(inside, inside); // j - i, 2 j
         vec2 once = turned(turned(less, less), twice); // 4 j - 2 i
-        vec2 after = mirrored == 1 ? once : vec2(-1.0, 1.0) * turned(once, twice); // from the opposite point
+        // The angle from the point opposite the sun at which the ray leaves.
+        vec2 after = mirrored == 1 ? once : vec2(-1.0, 1.0) * turned(once, twice);
         float share = fresnelShare(outside.x, 1.0 / index);
         float kept = (1.0 - share) * (1.0 - share) * (mirrored == 1 ? share : share * share);
         vec2 low = before.x > after.x ? before : after, high = before.x > after.x ? after : before;

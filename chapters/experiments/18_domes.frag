@@ -1,14 +1,14 @@
-// The whole sky as seen by somebody lying on the ground: the zenith at the centre, the horizon at
-// the rim, and the sun's side at the bottom. With sheet=true it is drawn at twelve hours, otherwise twice,
-// side by side: by the chapter's method and by another one, or, with encoded=true, by the other
-// method as light and as encoded numbers.
+// The whole sky as seen by somebody lying on the ground: the zenith at the centre, the horizon at the rim, and the
+// sun's side at the bottom. With sheet=true, the sky is drawn for twelve heights of the sun. Otherwise it is drawn
+// twice, side by side: by the chapter's method and by another method or, with encoded=true, by the other method as
+// light and as encoded numbers.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "18_sky_from_tables.frag"
 #undef rayColour
 #include "experiments/18_ways.glsl"
 
-uniform bool  sheet;     // true: twelve hours, from noon to night; false: two skies, the selected method on the right
+uniform bool  sheet;     // true: twelve heights of the sun; false: two skies, the selected method on the right
 uniform float sunHeight; // 48 in [-18, 90] step 1, degrees: height of the sun, with sheet=false
 
 // The heights of the sun on the sheet, degrees, from the upper left to the lower right.

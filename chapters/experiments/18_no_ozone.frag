@@ -1,5 +1,5 @@
 // Chapter 18's picture with air that contains no ozone. The tables contain a quarter of the light,
-// because without ozone an evening has up to three times as much.
+// because without ozone an evening has up to three times as much light.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "18_sky_from_tables.frag"

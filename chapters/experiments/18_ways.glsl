@@ -2,8 +2,8 @@
 // shader first.
 
 uniform int  way;      // 0 in [0, 3]: method: 0 the chapter's, 1 the article's text by angle, 2 its shader by dot product, 3 chapter 09's formula
-uniform bool encoded;  // false: true mixes the article's two colours as encoded numbers
-uniform bool painted;  // false: true makes the article's second table a painter's, which also differs from the first at the zenith
+uniform bool encoded;  // false: mix the article's two colours as encoded numbers
+uniform bool painted;  // false: make the article's second table a painter's, which differs from the first at the zenith too
 
 // The light in a direction according to a table of complete colours, which stores the light along the middle of each
 // half of the sky.

@@ -1,12 +1,12 @@
-// Experiment of chapter 20: the article's clouds and weather, in its own numbers, which are encoded
-// for the screen.
+// Experiment of chapter 20: clouds and weather as the article computes them, with values that are
+// already encoded for the screen.
 
 #include "main.glsl"
 #define rayColour chapterColour
 #include "20_clouds_and_weather.frag"
 #undef rayColour
 
-uniform bool positive; // false: true keeps the clouds' colour at night from becoming negative
+uniform bool positive; // false: keep the clouds' colour from becoming negative at night
 
 vec3 rayColour(Ray ray)
 {

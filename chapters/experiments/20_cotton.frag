@@ -5,7 +5,7 @@
 #include "clouds.glsl"
 #include "noise.glsl"
 
-uniform bool layer; // false: true puts the noise on a flat layer, false on the sphere
+uniform bool layer; // false: put the noise on a flat layer instead of the sphere
 
 Cloud cotton(sampler2D panorama, vec3 direction, float turned, float width)
 {

@@ -16,7 +16,7 @@ uniform bool  shaded;    // true: one ray to the sun from each point
 
 const float FOOT = 1.2, TOP = 2.6; // altitudes of the layer, km
 
-// The optical depth of one kilometre at a point p, relative to the eye.
+// The optical depth of one kilometre at a point p, which is relative to the eye.
 //   level  level of detail at which the noise is read
 float vapour(vec3 p, float level)
 {

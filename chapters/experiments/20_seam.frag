@@ -11,7 +11,7 @@ uniform int way; // 0 in [0, 3]: footprint: 0 the hardware's, 1 that of the seco
 
 Cloud panoramaByWay(sampler2D panorama, vec3 direction, float turned, float width)
 {
-    vec2 uv = panoramaUV(direction), other = vec2(fract(uv.x), uv.y); // first jumps in the south, second in the north
+    vec2 uv = panoramaUV(direction), other = vec2(fract(uv.x), uv.y); // uv jumps in the south, other in the north
     float size = fwidth(uv.x), otherSize = fwidth(other.x);
     vec2 at = way == 1 && otherSize < 0.5 * size || way == 3 && otherSize < size ? other : uv;
     vec4 texel = texture(panorama, at + vec2(turned, 0.0));

@@ -1,4 +1,4 @@
-// Experiment of chapter 21: one exposure for all hours, the one for `exposedAt`.
+// Experiment of chapter 21: one exposure for all hours, that of the hour `exposedAt`.
 #include "main.glsl"
 #include "film.glsl"
 

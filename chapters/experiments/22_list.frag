@@ -9,7 +9,7 @@ uniform vec3 point; // (1.85, 1.2, 1.95) handle: a point whose ray chooses the c
 
 const vec3 OUTLINE = vec3(0.1, 0.5, 0.9);
 
-// The part that is nearest to p, from the list of its cell.
+// The part on the list of a cell that is nearest to p; -1 if the list is empty.
 int nearestPart(vec3 p, Cell cell)
 {
     int nearest = -1;
@@ -32,7 +32,7 @@ bool onList(int id, Cell cell)
     return found;
 }
 
-// How strongly an edge of the cell is drawn at p, a point of the cell's surface, from 0 to 1.
+// How strongly an edge of the cell is drawn, from 0 to 1, at a point p on the cell's surface.
 //   width  of the line, scene units
 float edgeAt(vec3 p, Cell cell, float width)
 {

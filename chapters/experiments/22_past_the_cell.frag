@@ -1,5 +1,5 @@
-// Experiment of chapter 22: a march that trusts the list of a cell beyond the cell. It steps over parts that are not in
-// this list.
+// Experiment of chapter 22: a march that keeps using a cell's list after it has left the cell. It steps over parts that
+// are not in this list.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "22_many_parts.frag"

@@ -4,7 +4,7 @@
 #include "23_cells.glsl"
 #include "shadow.glsl"
 
-uniform float nearby; // 4 in [3.5, 16] step 0.5, cells: a brick keeps its points if a corner is nearer to the surface
+uniform float nearby; // 4 in [3.5, 16] step 0.5, cells: distance from corner to surface below which a brick is kept
 
 const int BRICK = 3; // cells along each side of a brick
 bool marching = true; // true for the ray from the eye, which needs safe steps; light needs the distance
@@ -25,7 +25,7 @@ float coarseValue(float g)
     return sign(g) * min(size - 1.7320508 * STORED_CELL, 1.7320508 * size - 6.0 * STORED_CELL);
 }
 
-// storedDistance, from only those values that the shell keeps.
+// storedDistance, computed from only those values that the shell keeps.
 float brickDistance(sampler3D values, vec3 p)
 {
     vec3 q = clamp(p, -1.0, 1.0);
@@ -37,7 +37,8 @@ float brickDistance(sampler3D values, vec3 p)
     return outside > 0.0 ? length(vec2(outside, value)) : value;
 }
 
-// shadowRay, the first function that is called once the ray from the eye has ended.
+// shadowRay, which also records that the march from the eye is over: all distances that the light needs are evaluated
+// after this call.
 Ray lightRay(vec3 p, vec3 normal, vec3 toLamp, float offset)
 {
     marching = false;

@@ -1,4 +1,4 @@
-// 23_cells.glsl - longer cells of the grid of chapter 23, for its experiments 2 and 5.
+// 23_cells.glsl - longer cells of the grid of chapter 23, for 23_bricks.frag and 23_coarse.frag.
 #include "stored.glsl"
 
 // storedCell for cells that are 'every' times as long.

@@ -80,7 +80,7 @@ float cellExit(vec3 share, vec3 along)
     return max(min(min(path.x, path.y), min(path.z, 2.0)), 0.0);
 }
 
-// marchCone, which ends on the clay at the root of the cubic instead of near the surface.
+// marchCone, except that on the clay it ends at the root of the cubic instead of near the surface.
 Hit marchToRoot(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {
     if (!exact)

@@ -1,5 +1,5 @@
-// A ball in the light of a lamp: drag the lamp around the ball and behind it. A surface that faces the lamp is
-// bright; one that faces away keeps only a tenth.
+// A ball in the light of a lamp: drag the lamp around the ball and behind it. A surface that faces the lamp is bright;
+// a surface that faces away has only a tenth of that brightness.
 #include "main.glsl"
 #include "lighting.glsl"
 #include "march.glsl"
@@ -25,7 +25,8 @@ vec3 rayColour(Ray ray)
     vec3 colour = vec3(0.5, 0.7, 1.0);
     if (hit.found)
         colour = vec3(1.0, 0.9, 0.7) * (0.1 + 0.9 * lambert(normal, normalize(lamp - p)));
-    float beside = 1.5 * length(ray.direction.xy / ray.direction.z - lamp.xy / lamp.z); // distance from the lamp
+    // The distance on the screen between this pixel and the lamp.
+    float beside = 1.5 * length(ray.direction.xy / ray.direction.z - lamp.xy / lamp.z);
     bool visible = lamp.z < 0.0 && (!hit.found || length(lamp) < hit.t);
     return visible ? mix(colour, vec3(1.0, 0.97, 0.85), (1.0 - smoothstep(0.031, 0.037, beside))) : colour;
 }

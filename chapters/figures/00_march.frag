@@ -1,5 +1,6 @@
 // The march: drag the eye, the aim and the ball. Each step is as long as the radius of the empty circle around its
-// start. The number counts the evaluations; lower most to see the march from its beginning, step by step.
+// start. The number is the count of evaluations. Lower the parameter `most` to 1, and raise it again to watch the march
+// advance step by step.
 #include "figure.glsl"
 
 uniform vec2 eye;  // (-1.5, 0.45) handle: where the ray starts

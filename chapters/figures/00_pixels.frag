@@ -1,6 +1,6 @@
-// The rays of a picture: drag the eye, the ball and the box. A ray goes through each pixel of the screen, the column
-// in front of the eye, and the pixel gets the colour of the first surface that the ray meets. Move the screen closer
-// with focalLength, or make more pixels.
+// The rays of a picture: drag the eye, the ball and the box. A ray goes through each pixel of the screen, the column in
+// front of the eye, and the pixel gets the colour of the first surface that the ray meets. Lower the parameter
+// `focalLength` to move the screen closer, or raise `pixels` to make the pixels smaller.
 #include "figure.glsl"
 #include "march.glsl"
 
@@ -25,10 +25,10 @@ float sceneDistance(vec3 p)
 vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), from = p - eye;
-    float side = 2.0 * HALF / float(pixels); // of a pixel of the screen
+    float side = 2.0 * HALF / float(pixels); // height of a pixel on the screen
     float height = from.y * focalLength / max(from.x, 1e-3);
-    height = abs(from.x - focalLength) < 0.05 ? from.y : height; // on the screen itself
-    float k = clamp(floor((height + HALF) / side), 0.0, float(pixels - 1)); // the pixel whose ray is near p
+    height = abs(from.x - focalLength) < 0.05 ? from.y : height; // within the drawn screen, p is not projected
+    float k = clamp(floor((height + HALF) / side), 0.0, float(pixels - 1)); // the pixel whose ray passes near p
     vec2 middle = vec2(focalLength, (k + 0.5) * side - HALF), direction = normalize(middle);
     Hit hit = march(Ray(vec3(eye, 0.0), vec3(direction, 0.0)), 0.0, 4.0, 0.002, 80);
     vec2 end = eye + hit.t * direction;

@@ -1,11 +1,11 @@
-// The cone under a graph: drag the point and the ball. Above is the march of a ray to the right; below is the distance
-// along that line. The graph of a distance never enters the cone below one of its points, so each step ends before the
-// surface. With a factor above 1, the function is no longer a distance.
+// The cone under a graph: drag the point and the ball. Above is the march of a ray to the right; below is the graph of
+// the distance along the ray. This graph never enters the cone below one of its points, so no step goes past the
+// surface. With a factor above 1, the graph enters these cones, and a step may go too far.
 #include "figure.glsl"
 
 uniform vec2 point;   // (-1.15, 0.46) handle: start of the ray
 uniform vec2 ball;    // (0.05, 0.73) handle: centre of the ball
-uniform float factor; // 1 in [0.5, 2] step 0.05, times the distance: what the march uses
+uniform float factor; // 1 in [0.5, 2] step 0.05, times the distance: length of each step
 
 const float AXIS = -0.72; // height of the graph's axis
 
@@ -15,7 +15,7 @@ float sceneDistance(vec3 p)
     return factor * min(sdCircle(p.xy - ball, 0.21), min(box, sdCircle(p.xy - vec2(-0.6, 0.2), 0.12)));
 }
 
-// The distance at the point x of the line.
+// The length of the step that starts at position x on the ray's line.
 float along(float x)
 {
     return sceneDistance(vec3(x, point.y, 0.0));
@@ -31,12 +31,12 @@ vec3 rayColour(Ray ray)
         fill(d, SAND, 1.0);
         stroke(d, 2.0, ORANGE);
         dot2(p, point, 7.0, INK);
-        dot2(p, point + vec2(t, 0.0), 5.0, INK); // also where the last step went too far
+        dot2(p, point + vec2(t, 0.0), 5.0, INK); // the end of the march, even if the last step went too far
     } else {
         float cone = 1e6, rim = 1e6, spot = 1e6, x = point.x, h = 1.0, e = sheetPixel();
         for (int i = 0; i < 48 && h > 0.004 && x < 2.0; i++) {
             h = along(x);
-            float side = (p.y - AXIS + abs(p.x - x) - h) * 0.7071; // distance to the two slopes
+            float side = (p.y - AXIS + abs(p.x - x) - h) * 0.7071; // signed distance to both sides of the cone
             cone = min(cone, max(side, AXIS - p.y));
             rim = min(rim, p.y > AXIS ? abs(side) : 1e6);
             spot = min(spot, length(p - vec2(x, AXIS + h)));

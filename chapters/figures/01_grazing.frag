@@ -1,6 +1,6 @@
 // A ray that meets a floor: drag the eye and the aim until the ray grazes the floor. The number of steps is on the
-// left; on the right is the share of the distance that each step leaves, 1 - sin of the angle. Each halving of the
-// threshold adds the same few steps.
+// left. On the right is the fraction of the distance that remains after each step: 1 minus the sine of the angle
+// between the ray and the floor. Each halving of the threshold adds the same few steps.
 #include "figure.glsl"
 
 uniform vec2 eye;        // (-1.5, 0.4) handle: where the ray starts

@@ -1,6 +1,6 @@
 // The empty circle around a point: drag the point around the solids and into them, and the ball into the box. The
-// number is the signed distance. Inside both solids the circle may not reach a surface: there the minimum is only a
-// bound.
+// number is the signed distance. Inside both solids, the circle may fall short of the surface, because the minimum is
+// only a lower bound of the depth there.
 #include "figure.glsl"
 #include "normal.glsl"
 

@@ -1,6 +1,6 @@
-// The mean of two lights: drag the two dots along the curve, which encodes light (to the right) as the value for the
-// screen (upwards). The top grey on the right is the encoded mean (green). Seen from afar, the stripes of both lights
-// look like this grey. The lowest grey is the mean of the encoded values (orange), which is too dark.
+// The mean of two lights: drag the two dots along the curve, which shows the screen's value (vertical) for each amount
+// of light (horizontal). The top grey on the right is the encoded mean (green). Seen from afar, the stripes of the two
+// lights look like this grey. The lowest grey is the mean of the encoded values (orange), which is too dark.
 #include "figure.glsl"
 #include "lighting.glsl"
 
@@ -15,13 +15,13 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// The value that the screen gets for a light.
+// The value that is sent to the screen for an amount of light.
 float encoded(float light)
 {
     return encodeSRGB(vec3(light)).x;
 }
 
-// A rectangle in a shade of grey.
+// Draw a grey rectangle at height y.
 void grey(vec2 p, float y, float value)
 {
     fill(sdRectangle(p - vec2(1.05, y), vec2(0.42, 0.25)), vec3(value), 1.0);

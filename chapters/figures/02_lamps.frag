@@ -1,13 +1,13 @@
-// Two lamps above a floor: drag them. Below the floor are the light of the warm lamp (orange), that of the cold lamp
-// (blue) and their sum (dark); the dashes mark 1, the most that a screen shows. Lower a lamp, and its pool becomes
-// smaller and brighter.
+// Two lamps above a floor: drag them. The curves below the floor are the light from the warm lamp (orange), the light
+// from the cold lamp (blue) and their sum (dark). The dashed line is at 1, the most light that a screen can show. If
+// you lower a lamp, its pool of light becomes smaller and brighter.
 #include "figure.glsl"
 #include "lighting.glsl"
 
 uniform vec2 warm; // (-0.7, 0.45) handle: the warm lamp
 uniform vec2 cold; // (0.75, 0.7) handle: the cold lamp
 
-const float FLOOR = -0.12, AXIS = -0.9, ONE = 0.42; // height of the floor, of the graph's axis, of the value 1
+const float FLOOR = -0.12, AXIS = -0.9, ONE = 0.42; // heights of floor and axis; height of the value 1 above the axis
 const vec3 WARM = vec3(1.0, 0.72, 0.45), COLD = vec3(0.45, 0.7, 1.0);
 
 float sceneDistance(vec3 p)
@@ -15,7 +15,7 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// The light that the floor receives from a lamp, at x.
+// The light that the floor at x receives from a lamp.
 float received(vec2 lamp, float x)
 {
     vec2 toLamp = lamp - vec2(x, FLOOR);
@@ -39,7 +39,7 @@ vec3 rayColour(Ray ray)
     } else {
         dashes(p, warm, vec2(warm.x, FLOOR), 1.0, PALE);
         dashes(p, cold, vec2(cold.x, FLOOR), 1.0, PALE);
-        fill(p.y - FLOOR, encodeSRGB(a * WARM + b * COLD), 1.0); // the floor, lit
+        fill(p.y - FLOOR, encodeSRGB(a * WARM + b * COLD), 1.0); // the lit floor
         dot2(p, warm, 16.0, ORANGE);
         dot2(p, cold, 16.0, BLUE);
     }

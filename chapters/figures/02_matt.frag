@@ -1,13 +1,13 @@
-// Why a matt surface looks the same from all sides: drag the eye. The patch sends less flux at a grazing angle: the
-// orange arrow ends on the lobe. Seen from the eye, the patch is narrower, as the blue bar shows. The ratio of the two
-// numbers is the radiance, at the top left, and does not change.
+// Why a matt surface looks the same from all sides: drag the eye. The patch sends less flux at a grazing angle, as the
+// orange arrow shows, which ends on the lobe. Seen from the eye, the patch is also narrower, as the blue bar shows. The
+// ratio of the two numbers, at the top left, is the radiance, which does not change.
 #include "figure.glsl"
 #include "lighting.glsl"
 
 uniform vec2 eye; // (0.95, 0.35) handle: where the patch is seen from
 
 const vec2 CENTRE = vec2(0.0, -0.7);
-const float HALF = 0.4, LOBE = 1.1; // half the patch, and the length of the arrow straight up
+const float HALF = 0.4, LOBE = 1.1; // half the patch's width, and the length of an arrow straight up
 
 float sceneDistance(vec3 p)
 {
@@ -18,7 +18,7 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), away = normalize(eye - CENTRE + 1e-6), beside = vec2(away.y, -away.x);
     float flux = lambert(vec3(0.0, 1.0, 0.0), vec3(away, 0.0)); // flux in the direction of the eye
-    float seen = max(dot(beside, vec2(1.0, 0.0)), 0.0);         // the width of the patch, as the eye sees it
+    float seen = max(dot(beside, vec2(1.0, 0.0)), 0.0);         // apparent width of the patch, relative to its width
     float lobe = sdCircle(p - CENTRE - vec2(0.0, 0.5 * LOBE), 0.5 * LOBE);
     fill(lobe, SAND, 0.6);
     stroke(lobe, 1.2, ORANGE);

@@ -1,13 +1,13 @@
-// Lambert's law: tilt the patch by its end. The upper number counts the rays that it catches, the lower one is
-// N . L, the cosine of the angle between its normal (green) and the light's direction (orange). The disc shows how
-// bright the patch is.
+// Lambert's law: drag the end of the patch to tilt it. The upper number is the count of rays that the patch catches;
+// the lower number is N . L, the cosine of the angle between the patch's normal (green) and the direction to the light
+// (orange). The disc shows how bright the patch is.
 #include "figure.glsl"
 #include "lighting.glsl"
 
-uniform vec2 tip; // (-0.135, 0.346) handle: where the patch points
+uniform vec2 tip; // (-0.135, 0.346) handle: sets the direction of the patch
 
 const vec2 CENTRE = vec2(-0.45, -0.2);
-const float HALF = 0.63, SPACING = 0.105; // half the patch, and the distance between two rays
+const float HALF = 0.63, SPACING = 0.105; // half the patch's width, and the distance between neighbouring rays
 
 vec3 rayColour(Ray ray)
 {
@@ -21,7 +21,7 @@ vec3 rayColour(Ray ray)
     arrow(p, from, to, 1.2, lit ? ORANGE : PALE);
     line2(p, CENTRE - HALF * along, CENTRE + HALF * along, 6.0, INK);
     line2(p, CENTRE - HALF * along, CENTRE + HALF * along, 3.0, SAND);
-    vec2 q = p - CENTRE, middle = normalize(normal + vec2(1e-6, 1.0)); // halfway between the two directions
+    vec2 q = p - CENTRE, middle = normalize(normal + vec2(1e-6, 1.0)); // halfway between the normal and the light
     vec2 turned = vec2(dot(q, vec2(middle.y, -middle.x)), dot(q, middle));
     fill(sdArc(turned, 0.2, 0.5 * angleBetween(normal, vec2(0.0, 1.0)) + 1e-3) - penWidth(0.8), INK, 1.0);
     arrow(p, CENTRE, CENTRE + 0.42 * normal, 2.5, TEAL);

@@ -1,12 +1,13 @@
-// Shadow acne: lower the offset, and drag the eye. Above, rays from the eye meet the floor; where its edge is dark, the
-// shadow ray would start as a hit. Below is the height of the start above the floor, enlarged: in the orange band it is
-// less than the threshold. It is never below the dashes, a bound given by the angle of the ray.
+// Shadow acne: lower the offset, and drag the eye. Above, rays from the eye meet the floor; where the floor is dark,
+// the shadow ray would start as a hit. Below is an enlarged graph of the height above the floor at which the shadow ray
+// starts; within the orange band, this height is less than the threshold. It is never below the dashed line, a lower
+// bound that follows from the angle of the ray.
 #include "figure.glsl"
 #include "march.glsl"
 
 uniform vec2 eye;           // (-1.1, 0.85) handle: where the rays start
 uniform vec2 ball;          // (0.75, 0.5) handle: centre of a ball
-uniform float shadowOffset; // 0.5 in [0, 1.5] step 0.05, times the threshold: start of a shadow ray above the surface
+uniform float shadowOffset; // 0.5 in [0, 1.5] step 0.05, times the threshold: height at which a shadow ray starts
 
 const float FLOOR = 0.0, AXIS = -0.9, ONE = 0.34, THRESHOLD = 0.003; // ONE: height of one threshold in the graph
 
@@ -15,8 +16,8 @@ float sceneDistance(vec3 p)
     return min(p.y - FLOOR, sdCircle(p.xy - ball, 0.17));
 }
 
-// The height, in thresholds, at which the march towards a point of the floor ends (x); and 1 if the march ends at the
-// floor, 0 if the ball is in front (y).
+// March from the eye towards the floor at x. Returns the height, in thresholds, at which the march ends, and 1 if the
+// march ends at the floor or 0 if it does not.
 vec2 heightAt(float x)
 {
     vec2 way = vec2(x, FLOOR) - eye;

@@ -1,11 +1,12 @@
 // Where the shadow ray ends: drag the lamp, the box and the point on the floor. If the ray does not stop at the lamp, a
-// box behind the lamp casts a shadow on the floor. Turn stopping on, and only objects in front of the lamp cast one.
+// box behind the lamp casts a shadow on the floor. Switch on the parameter `stopping`: then only objects between the
+// floor and the lamp cast shadows.
 #include "figure.glsl"
 #include "shadow.glsl"
 
 uniform vec2 lamp;     // (-0.1, 0.1) handle: the lamp
 uniform vec2 box;      // (-0.5, 0.6) handle: centre of the box
-uniform vec2 point;    // (0.42, -0.7) handle: a point of the floor
+uniform vec2 point;    // (0.42, -0.7) handle: a point on the floor
 uniform bool stopping; // false: end the march at the lamp
 
 const float FLOOR = -0.7, THRESHOLD = 0.002;
@@ -16,7 +17,7 @@ float sceneDistance(vec3 p)
     return min(min(p.y - FLOOR, ball), sdRectangle(p.xy - box, vec2(0.3, 0.12)));
 }
 
-// The shadow ray from the floor, and how far it is marched.
+// The shadow ray from the floor at x. Stores in far how far to march this ray.
 Ray fromFloor(float x, out float far)
 {
     vec3 at = vec3(x, FLOOR, 0.0), way = vec3(lamp, 0.0) - at, up = vec3(0.0, 1.0, 0.0);

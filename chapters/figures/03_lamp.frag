@@ -1,6 +1,6 @@
-// The ray to the lamp: drag the lamp, the ball and the aim. The ray from the eye meets a surface, and from a little
-// above it a second march goes to the lamp: green if it arrives, orange if the ball blocks it. The light of the lamp
-// does not reach the dark stretch of the ground.
+// The ray to the lamp: drag the lamp, the ball and the aim. The ray from the eye meets a surface. A second march goes
+// from slightly above this surface to the lamp; it is green if it arrives and orange if the ball blocks it. The light
+// of the lamp does not reach the dark stretch of the ground.
 #include "figure.glsl"
 #include "normal.glsl"
 #include "shadow.glsl"
@@ -17,7 +17,7 @@ float sceneDistance(vec3 p)
     return min(p.y - GROUND, sdCircle(p.xy - ball, 0.28));
 }
 
-// The ray to the lamp from a point of a surface.
+// The ray to the lamp from a point on a surface.
 Ray toLamp(vec3 p, vec3 normal)
 {
     return shadowRay(p, normal, vec3(normalize(lamp - p.xy + 1e-6), 0.0), OFFSET);
@@ -27,7 +27,7 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray);
     float d = sceneDistance(vec3(p, 0.0)), t = 0.0;
-    vec3 below = vec3(p.x, GROUND, 0.0); // the ground at this pixel
+    vec3 below = vec3(p.x, GROUND, 0.0); // the point on the ground at p.x
     Ray up = toLamp(below, vec3(0.0, 1.0, 0.0));
     float far = shadowReach(vec3(0.0, 1.0, 0.0), up.direction, length(lamp - below.xy));
     bool dark = far == 0.0 || lightReaching(up, far, THRESHOLD, 80) == 0.0;

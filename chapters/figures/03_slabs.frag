@@ -1,6 +1,6 @@
-// A box is the intersection of two slabs: drag the start of the ray and its aim. The bars below show where the
-// ray is in the upright slab (orange), in the flat one (blue) and in both (green). The green bar reaches from the later
-// entry to the earlier exit, which are the two numbers.
+// A box is the intersection of two slabs: drag the start of the ray and its aim. The bars below show where the ray is
+// in the upright slab (orange), in the horizontal slab (blue) and in both slabs (green). The green bar reaches from the
+// later entry to the earlier exit; the two numbers are the values of t at these points.
 #include "figure.glsl"
 #include "bounds.glsl"
 
@@ -15,7 +15,7 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// A bar along the axis of t, from one t to another.
+// Draw a bar for an interval of t.
 void bar(vec2 p, float y, vec2 interval, vec3 colour)
 {
     vec2 x = vec2(-1.3) + 1.5 * UNIT * clamp(interval, 0.0, 7.0);

@@ -1,6 +1,6 @@
-// The smooth union of a block and a disc: drag the two, and change the width k of the blend. The dark lines are
-// the outlines that the minimum would give, and the pale ones are lines of equal distance. The colours mix with
-// the same weights as the gradients.
+// The smooth union of a block and a disc: drag them, and change the width k of the blend. The thin dark lines are the
+// outlines of the block and the disc, the thick dark line is the outline of the union, and the pale lines connect
+// points at equal distances. The colours are mixed with the same weights as the gradients.
 #include "figure.glsl"
 #include "hue.glsl"
 #include "lighting.glsl"

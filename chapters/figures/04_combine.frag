@@ -1,6 +1,6 @@
-// Two shapes become one: drag the disc, the block and the point. The circle around the point has the value of
-// the formula as its radius, which is at the top left. The circle never crosses the surface. Where it touches
-// the surface, the formula is exact, and where a gap is left, it is a lower bound.
+// Two shapes become one: drag the disc, the block and the point. The radius of the circle around the point is the value
+// of the formula, which is shown at the top left. The circle never crosses the surface. Where it touches the surface,
+// the formula is exact; where it leaves a gap, the formula is a lower bound.
 #include "figure.glsl"
 
 uniform int  operation; // 1 in [0, 2]: 0 union, 1 intersection, 2 block minus disc
@@ -8,7 +8,7 @@ uniform vec2 disc;      // (0.3, -0.15) handle units: centre of the disc
 uniform vec2 block;     // (-0.65, -0.15) handle units: centre of the block
 uniform vec2 point;     // (0.02, 0.58) handle units: where the formula is evaluated
 
-const vec2 HALF_SIZE = vec2(0.6, 0.5); // of the block
+const vec2 HALF_SIZE = vec2(0.6, 0.5); // half the width and height of the block
 
 float sceneDistance(vec3 p)
 {

@@ -1,7 +1,7 @@
-// A hue is an angle: drag the point around the disc of colours. Its angle is the hue, its distance from the
-// centre the saturation. On the right are the curves of red, green and blue with their values at this hue. The
-// disc treats the three numbers as linear light, and the ring around it as screen values; the two spots show
-// the colour in both ways.
+// A hue is an angle: drag the point around the disc of colours. Its angle is the hue, and its distance from the centre
+// is the saturation. On the right are the curves of red, green and blue with their values at this hue. The disc treats
+// the three numbers as linear light, and the ring around the disc treats them as screen values; the two spots at the
+// bottom show the colour in both ways.
 #include "figure.glsl"
 #include "hue.glsl"
 #include "lighting.glsl"
@@ -9,9 +9,9 @@
 uniform vec2  colour; // (-1.48, 0.335) handle units: its angle is the hue, its distance from the centre the saturation
 uniform float value;  // 1 in [0, 1] step 0.05: the largest channel
 
-const vec2  CENTRE = vec2(-0.9, 0.0);  // of the disc
-const float RADIUS = 0.67;             // at which the saturation is 1
-const float LEFT = 0.1, WIDTH = 1.38;  // of the plots
+const vec2  CENTRE = vec2(-0.9, 0.0);  // centre of the disc
+const float RADIUS = 0.67;             // radius at which the saturation is 1
+const float LEFT = 0.1, WIDTH = 1.38;  // left edge and width of the plots
 const float HIGH = 0.42;               // height of a plot
 
 float sceneDistance(vec3 p)
@@ -19,13 +19,13 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// The angle of a point of the disc, degrees from 0 to 360.
+// The hue at the point q, relative to the centre of the disc: an angle in degrees from 0 to 360.
 float hueAt(vec2 q)
 {
     return mod(degrees(atan(q.y, q.x + 1e-6)), 360.0);
 }
 
-// The plot of one channel, with its lower edge at the height low.
+// Draw the plot of one channel, with its lower edge at the height low.
 void plot(vec2 p, int channel, float low, float hue, float saturation)
 {
     vec3 ink = vec3(0.12) + 0.58 * vec3(channel == 0, channel == 1, channel == 2);

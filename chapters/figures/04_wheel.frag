@@ -1,6 +1,6 @@
-// Twelve solids for the price of two: drag the point. Three folds bring it into the wedge between the mirrors of
-// 0 and 30 degrees, where only a ball and a die are evaluated. At the top left is the distance from the point to
-// all twelve, and below it the distance from the folded point to these two.
+// Twelve solids for the price of two: drag the point. Three folds bring it into the wedge between the mirrors at 0 and
+// 30 degrees, where only a ball and a die are evaluated. At the top left is the distance from the point to the nearest
+// of all twelve solids; below it is the distance from the folded point to the nearer of the two.
 #include "figure.glsl"
 #include "hue.glsl"
 #include "lighting.glsl"
@@ -21,7 +21,7 @@ vec2 folded(vec2 q, vec2 normal)
     return q - 2.0 * min(dot(q, normal), 0.0) * normal;
 }
 
-// The solid at a multiple of 30 degrees: a ball if the multiple is even, otherwise a die.
+// The distance to the solid at 30 i degrees: a ball if i is even, otherwise a die.
 float solidDistance(vec2 q, int i)
 {
     float c = cos(radians(30.0 * float(i))), s = sin(radians(30.0 * float(i)));

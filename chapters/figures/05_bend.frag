@@ -1,15 +1,15 @@
-// A bent plank: drag the point around it. The blue circle has the radius that the formula gives when the point is
-// turned back, and it may reach into the plank. The green circle has this radius divided by the stretch of the bend,
-// and never reaches into the plank. The lines are those of the formula: where they are crowded, the formula changes
-// too fast.
+// A bent plank: drag the point around it. The radius of the blue circle is the distance that the formula gives for the
+// point when it is turned back; this circle may reach into the plank. The radius of the green circle is this distance
+// divided by the stretch of the bend; this circle never reaches into the plank. The pale lines connect points where the
+// formula gives the same value: where the lines are crowded, the formula changes too fast.
 #include "figure.glsl"
 #include "transform.glsl"
 
 uniform vec2  point; // (0.42, -0.3) handle: where the formula is evaluated
 uniform float rate;  // 0.9 in [-1, 1] step 0.1, radians per unit: how much the plank is bent
 
-const vec2  CENTRE = vec2(0.0, 0.35); // of the plank
-const float RADIUS = 1.2;             // of the cylinder around it in which the bound is valid
+const vec2  CENTRE = vec2(0.0, 0.35); // centre of the plank
+const float RADIUS = 1.2;             // radius of the cylinder around the centre in which the bound is valid
 
 float sceneDistance(vec3 p)
 {

@@ -1,6 +1,6 @@
-// Move the point back: drag the plank, the tip of its axis, and the point p. On the right is the plank in its
-// original position, with the point q, which is p moved back, then turned back. Both circles have the radius that
-// the formula gives at q, which is at the top left. With wrongOrder, p is turned back first.
+// Move the point back: drag the plank, the tip of its axis, and the point p. On the right is the plank in its original
+// position, with the point q, which is p moved back, then turned back. The radius of both circles is the value of the
+// formula at q, which is shown at the top left. If the parameter `wrongOrder` is on, p is turned back first.
 #include "figure.glsl"
 
 uniform vec2 plank;      // (-0.7, -0.25) handle: where the centre of the plank is moved to
@@ -18,13 +18,13 @@ float sceneDistance(vec3 p)
     return sdRectangle(p.xy, vec2(2.0, 0.5));
 }
 
-// Rotate a direction back to that of the x axis, and q with it.
+// Apply to q the rotation that takes a direction to the x axis.
 vec2 turnedBack(vec2 q, vec2 direction)
 {
     return vec2(dot(q, direction), dot(q, vec2(-direction.y, direction.x)));
 }
 
-// One half of the sheet: axes, a plank given by its distance, and a point with its circle.
+// Draw one half of the sheet: the axes, a plank given by its distance, and a point with a circle whose radius is empty.
 void half2(vec2 p, vec2 origin, float plankDistance, vec2 at, float empty)
 {
     arrow(p, origin - vec2(0.35, 0.0), origin + vec2(0.78, 0.0), 1.2, PALE);

@@ -1,15 +1,15 @@
 // A ball squeezed in x: drag the start of the ray and the point it is aimed at, and change the squeeze. The inverse map
-// stretches lengths, so the steps are too long: the circles reach into the solid, and the march may miss it. Divided
-// by the largest stretch, the circles stay outside. The number of steps is at the top left.
+// stretches lengths, so the steps are too long: the circles reach into the solid, and the march may miss it. If the
+// distance is divided by the largest stretch, the circles stay outside. The number of steps is at the top left.
 #include "figure.glsl"
 #include "transform.glsl"
 
 uniform vec2  eye;     // (-0.36, -0.1) handle: where the ray starts
 uniform vec2  aim;     // (0.25, 0.02) handle: where the ray points
-uniform float squeeze; // 2.75 in [1, 4] step 0.25: the map back stretches x by this factor
+uniform float squeeze; // 2.75 in [1, 4] step 0.25: the inverse map stretches x by this factor
 uniform bool  divided; // false: divide the distance by the largest stretch
 
-const vec2 CENTRE = vec2(0.1, 0.0); // of the ball
+const vec2 CENTRE = vec2(0.1, 0.0); // centre of the ball
 
 float sceneDistance(vec3 p)
 {

@@ -1,6 +1,6 @@
 // The largest stretch of a linear map: drag the tips of the two black arrows, the images of the unit vectors along x
-// and y. The map takes the circle to the ellipse. The vector that is stretched most goes to the longest radius
-// of the ellipse, the green line; its length, the largest singular value, is written at its end.
+// and y. The map takes the circle to the ellipse. The vector that is stretched most is mapped to the longest radius of
+// the ellipse, the green line. The number at the end of this line is its length, the largest singular value.
 #include "figure.glsl"
 #include "transform.glsl"
 
@@ -28,7 +28,7 @@ vec3 rayColour(Ray ray)
     mat2 back = mat2(m[1].y, -m[0].y, -m[1].x, m[0].x) / area / UNIT;
     vec2 q = back * p; // the map takes UNIT q to p
     float sigma = largestStretch(mat3(vec3(m[0], 0.0), vec3(m[1], 0.0), vec3(0.0)));
-    // The longest image: m times the eigenvector of transpose(m) m.
+    // The longest image of a unit vector: m times the eigenvector of transpose(m) m with the larger eigenvalue.
     mat2 s = transpose(m) * m;
     float angle = 0.5 * atan(2.0 * s[1][0], s[0][0] - s[1][1] + 1e-6);
     vec2 longest = m * vec2(cos(angle), sin(angle));

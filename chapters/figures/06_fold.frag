@@ -1,15 +1,15 @@
 // A fold: drag the mirror, the tip of its normal, and the point. The side to which the normal points is kept, and its
-// image appears on the other side. A letter behind the mirror is gone: only its pale outline is left. The radius of
-// the circle is the folded distance, from the end of the blue arrow to the letter.
+// image appears on the other side. If the letter is behind the mirror, it disappears, and only a pale outline is left.
+// The radius of the circle is the distance from the end of the blue arrow, the folded point, to the letter.
 #include "figure.glsl"
 #include "symmetry.glsl"
 
-uniform vec2  mirror;       // (-0.1, 0.0) handle: a point of the mirror
+uniform vec2  mirror;       // (-0.1, 0.0) handle: a point on the mirror
 uniform vec2  normal;       // (0.14, 0.1) handle: the tip of the normal
 uniform vec2  point;        // (-0.72, 0.42) handle: the point that is folded
 uniform float normalLength; // 1 in [0.4, 1.6] step 0.1: the length of the normal in the formula
 
-// The letter F.
+// The distance to the letter F.
 float letterDistance(vec2 p)
 {
     vec2 q = p - vec2(0.75, 0.0);

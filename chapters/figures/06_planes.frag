@@ -1,16 +1,17 @@
-// A cut through a tetrahedron, through one edge and the middle of the opposite edge: drag the point. The green circle
-// has the exact distance as its radius, and the blue one the distance by planes; at the top left is their ratio. The
-// lines are those of the distance by planes, or with exactLines those of the exact one.
+// A cut through a tetrahedron, along one edge and through the middle of the opposite edge: drag the point. The radius
+// of the green circle is the exact distance, and that of the blue circle is the distance computed from the planes of
+// the faces; at the top left is the ratio of the second to the first. The pale lines connect points where the distance
+// from the planes is equal or, if the parameter `exactLines` is on, where the exact distance is equal.
 #include "figure.glsl"
 #include "symmetry.glsl"
 
 uniform vec2 point;      // (0.86, -0.508) handle: where the distances are evaluated
 uniform bool exactLines; // false: draw the lines of the exact distance
 
-const float SIZE = 0.36; // of the tetrahedron, as in symmetry.glsl
+const float SIZE = 0.36; // size of the tetrahedron, as in symmetry.glsl
 
-// The point of space at a point of the cut. The lower corners of the triangle are corners of the tetrahedron, and its
-// lower side is an edge; its upper corner is the middle of the opposite edge.
+// The point in space that corresponds to a point of the cut. The lower corners of the triangle are corners of the
+// tetrahedron, and its lower side is an edge; its upper corner is the middle of the opposite edge.
 vec3 inSpace(vec2 p)
 {
     p.y -= 0.1;

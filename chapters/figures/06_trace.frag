@@ -1,6 +1,6 @@
 // A point is followed through the folds: drag it, and raise the number of levels. Each level has two folds, along the
-// dashed mirrors, and the arrows are the steps of the point. The distance is measured to the dark triangle only. Its
-// value is at the top left and is the radius of both circles: the circle around the point is empty.
+// dashed mirrors, and the arrows show how each fold moves the point. The distance is measured to the dark triangle
+// only. Its value is at the top left and is the radius of both circles: the circle around the original point is empty.
 #include "figure.glsl"
 #include "symmetry.glsl"
 
@@ -11,13 +11,13 @@ const float SCALE = 0.88;              // units of the sheet per unit of length;
 const vec2  CORNER = vec2(0.0, 0.92);  // upper corner of the triangle
 const vec3  N1 = vec3(0.5, 0.8660254, 0.0), N2 = vec3(-0.5, 0.8660254, 0.0); // normals of the mirrors
 
-// Map a point of the sheet to the triangle, whose upper corner is the origin.
+// Convert a point of the sheet to the triangle's coordinates, whose origin is the upper corner.
 vec2 trianglePoint(vec2 p)
 {
     return (p - CORNER) / SCALE;
 }
 
-// The upper triangle of a level.
+// The distance to the upper triangle of a level; the side of this triangle is 2 size.
 float upperDistance(vec2 q, float size)
 {
     return sdTriangle(q, vec2(0.0), size * vec2(-1.0, -1.7320508), size * vec2(1.0, -1.7320508));

@@ -1,11 +1,12 @@
-// Copies that differ: drag the point. The blue circle has the distance to the copy in the point's own cell as its
-// radius, and may reach into a neighbour. The green one is capped and stays empty, because no copy leaves its pale
-// square of half width R, the reach. Below are both distances along the dashed line, at twice the scale.
+// Copies that differ: drag the point. The radius of the blue circle is the distance to the copy in the point's cell;
+// this circle may reach into a neighbouring copy. The radius of the green circle is capped, so this circle stays empty:
+// no copy leaves its pale square, whose half width is the reach R. Below are both distances along the dashed line, at
+// twice the scale.
 #include "figure.glsl"
 #include "repetition.glsl"
 
 uniform vec2  point; // (0.36, 0.06) handle: where the distance is evaluated
-uniform float reach; // 0.24 in [0.2, 0.32] step 0.01, units: no point of a copy is farther from the centre of its cell
+uniform float reach; // 0.24 in [0.2, 0.32] step 0.01, units: how far a copy may reach from the centre of its cell
 
 const float PERIOD = 0.66;
 const float EDGE = 2.5 * PERIOD;          // right edge of the field, which has 5 x 2 cells

@@ -1,6 +1,7 @@
-// One ball, many copies: drag the point, and the ball in the shaded cell. The formula moves the point into this
-// cell, to the end of the arrow. The radius of the blue circle is the distance to the copy in the point's own cell. The
-// green one also counts the copy in the nearer neighbouring cell, and is always empty. The numbers are the two radii.
+// One ball, many copies: drag the point, and the ball in the shaded cell. The formula moves the point into this cell,
+// to the end of the arrow. The radius of the blue circle is the distance to the copy in the point's cell. The radius of
+// the green circle also takes the copy in the nearer neighbouring cell into account, so this circle is always empty.
+// The numbers are the two radii.
 #include "figure.glsl"
 #include "repetition.glsl"
 
@@ -9,13 +10,13 @@ uniform vec2  ball;   // (0.3, -0.25) handle: centre of the ball in cell 0
 uniform float period; // 4 in [2, 6] step 0.25, scene units: width of a cell
 
 const float SCALE = 0.2;  // units of the sheet per scene unit
-const float RADIUS = 0.4; // of the ball, scene units
+const float RADIUS = 0.4; // radius of the ball, scene units
 
 // The distance to the copy in a cell, scene units.
 float copyDistance(vec2 p, float cell)
 {
     vec2 centre = ball / SCALE;
-    float room = 0.5 * period - RADIUS; // the ball fits in its cell
+    float room = 0.5 * period - RADIUS; // how far the ball's centre may be from the middle of its cell
     return sdCircle(p - vec2(period * cell + clamp(centre.x, -room, room), centre.y), RADIUS);
 }
 

@@ -1,12 +1,13 @@
-// An overshoot at a wall: drag the ray along a fence of slanting planks. If only the copy in the point's own cell is
-// evaluated, a circle may reach into the plank behind the wall, and the march steps through it. With asked = 1, the
-// nearer neighbour is evaluated too. With asked = 2, every other cell is mirrored, which makes a different fence.
+// An overshoot at a wall: drag the ray along a fence of slanting planks. If only the copy in the point's cell is
+// evaluated, a circle may reach into the plank behind the wall, and the march may step through that plank. With
+// asked = 1, the nearer neighbour is evaluated too. With asked = 2, every other cell is mirrored, which makes a
+// different fence.
 #include "figure.glsl"
 #include "repetition.glsl"
 
 uniform vec2 eye;   // (-0.9, -0.3) handle: where the ray starts
 uniform vec2 aim;   // (0.5, -0.07) handle: where the ray points
-uniform int  asked; // 0 in [0, 2]: 0 only the own plank, 1 also the nearer neighbour's, 2 mirrored cells
+uniform int  asked; // 0 in [0, 2]: 0 only the cell's plank, 1 also the nearer neighbour's, 2 mirrored cells
 
 const float PERIOD = 0.75; // width of a cell
 

@@ -1,7 +1,7 @@
-// Near and far look alike: drag the ball, then change its depth. With parallel rays the ball stays where it is in the
-// picture and keeps its size, although it moves from the front of the tower to the terrace far behind it. Only its
-// shadow moves, and the tower begins to hide the ball. Lower orthographic a little, and the ball shrinks as it moves
-// away.
+// Near and far look alike: drag the ball, then change its depth. With parallel rays, the ball keeps its position and
+// its size in the picture, although it moves from the front of the tower to the terrace far behind the tower. Only the
+// ball's shadow moves, and the tower begins to hide the ball. If you lower the parameter `orthographic` a little, the
+// ball shrinks as it moves away.
 #include "main.glsl"
 #define sceneDistance buildingDistance
 #define colourAt buildingColour
@@ -24,7 +24,7 @@ float sceneDistance(vec3 p)
     return min(buildingDistance(p), ballDistance(p));
 }
 
-// As in the chapter, except for the colour of the ball.
+// The chapter's rayColour, except for the colour of the ball.
 vec3 rayColour(Ray ray)
 {
     vec2 interval = boxInterval(ray, LOW, HIGH);

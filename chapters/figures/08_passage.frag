@@ -1,6 +1,6 @@
 // From perspective to parallel rays: move the slider, and drag the two plates, which are of equal size. On the right is
-// the picture, with the sizes of the plates relative to a plate in the framing plane. The eye, the dot on the left,
-// moves back, the framing plane keeps its size, and the sizes of the plates become equal.
+// the picture, with the sizes of the plates relative to a plate in the framing plane. As the rays become parallel, the
+// eye, the dot on the left, moves back, the framing plane keeps its size, and the sizes of the plates become equal.
 #include "figure.glsl"
 
 uniform float orthographic; // 0.4 in [0, 1] step 0.02: 0 the perspective view, 1 the orthographic one
@@ -8,7 +8,7 @@ uniform vec2  near;         // (-0.28, 0.12) handle: centre of the near plate
 uniform vec2  far;          // (0.55, -0.16) handle: centre of the far plate
 
 const float CAMERA = -0.6, FRAMING = 0.0;         // x of the camera's plane and of the framing plane
-const float DISTANCE = FRAMING - CAMERA;          // between these planes
+const float DISTANCE = FRAMING - CAMERA;          // distance between these planes
 const float HALF = 0.55, PLATE = 0.14;            // half the height of the picture's area, and of a plate
 const float LEFT = 1.08, RIGHT = 1.66;            // edges of the picture
 
@@ -17,13 +17,13 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// The size of a plate in the picture, relative to one in the framing plane.
+// The size, in the picture, of a plate at x, relative to that of a plate in the framing plane.
 float sizeAt(float x)
 {
     return DISTANCE / ((1.0 - orthographic) * (x - CAMERA) + orthographic * DISTANCE);
 }
 
-// A ray that meets the framing plane at a height, from the camera's plane to an x.
+// Draw a ray from the camera's plane to x = end. It meets the framing plane at the given height.
 void drawRay(vec2 p, float height, float end, float width, vec3 colour)
 {
     float start = orthographic * height, slope = (height - start) / DISTANCE;
@@ -32,7 +32,7 @@ void drawRay(vec2 p, float height, float end, float width, vec3 colour)
         dashes(p, vec2(FRAMING - DISTANCE / (1.0 - orthographic), 0.0), vec2(CAMERA, start), 0.7 * width, colour);
 }
 
-// A plate, the rays of its ends, and its picture at an x.
+// Draw a plate, the rays through its ends, and its image in the picture, at x = at.
 void plate(vec2 p, vec2 centre, float at, vec3 colour)
 {
     vec2 point = vec2(clamp(centre.x, CAMERA + 0.05, LEFT - 0.1), centre.y);

@@ -1,6 +1,7 @@
-// How much air the sunlight passes through: drag the sun. The dots on the ray are one vertical air mass (dashed) apart.
-// Green is the air mass of the round Earth, orange that of flat layers, whose top is dashed. The sun has the
-// colour of the light that remains. Make the Earth larger: at 721.5 it is the real one, and nearly flat.
+// How much air the sunlight passes through: drag the sun. The dots on the ray are one vertical air mass apart, the
+// length of the dashed vertical line. The green number is the air mass of the round Earth, and the orange number is
+// that of flat layers, whose top is the dashed orange line. The sun has the colour of the light that remains. Make the
+// Earth larger: at 721.5 it has its true size and is nearly flat.
 #include "figure.glsl"
 #include "lighting.glsl" // encodeSRGB
 #include "sky.glsl"      // RAYLEIGH, transmittance
@@ -15,7 +16,7 @@ float sceneDistance(vec3 p)
 {
     float radius = earth * AIR;
     vec2 q = p.xy - EYE;
-    return (dot(q, q) + 2.0 * q.y * radius) / (length(q + vec2(0.0, radius)) + radius); // subtracts no large numbers
+    return (dot(q, q) + 2.0 * q.y * radius) / (length(q + vec2(0.0, radius)) + radius); // large numbers do not cancel
 }
 
 vec3 rayColour(Ray ray)

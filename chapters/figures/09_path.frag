@@ -1,6 +1,6 @@
-// The sun's day: drag the sun along its path, and its highest point up and down to change the season. The day goes
-// from left to right, from 0 to 24 h; above the horizon, each column is the sky in the direction of the sun at that
-// hour, from the horizon to the zenith. Below are the hour, the elevation of the sun in degrees (orange) and the air
+// The sun's day: drag the sun along its path, and its highest point up and down to change the season. The horizontal
+// axis is the time, from 0 to 24 h. Above the horizon, each column shows the sky at that hour, in the direction of the
+// sun, from the horizon to the zenith. Below are the hour, the elevation of the sun in degrees (orange) and the air
 // mass of its light (green).
 #include "figure.glsl"
 #include "lighting.glsl" // encodeSRGB
@@ -8,9 +8,9 @@
 
 uniform vec2 sun;       // (0.8, 0) handle units: its x is the hour
 uniform vec2 noon;      // (0, 0.46) handle units: its y is the height of the sun at noon
-uniform float latitude; // 43.6 in [-66, 66] step 0.2, degrees: of the place, north positive
+uniform float latitude; // 43.6 in [-66, 66] step 0.2, degrees: latitude of the observer, north positive
 
-const float HOUR = 1.0 / 7.2, DEGREE = 1.0 / 95.0, HORIZON = -0.05; // units
+const float HOUR = 1.0 / 7.2, DEGREE = 1.0 / 95.0, HORIZON = -0.05; // units of the sheet
 
 float declination()
 {
@@ -37,7 +37,7 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray);
     float x = clamp(sun.x, -12.0 * HOUR, 12.0 * HOUR), y = heightAt(x), up = radians((p.y - HORIZON) / DEGREE);
-    // The sky below and above the sun.
+    // The column of the sky below and above the sun.
     float here = heightAt(p.x), high = radians((here - HORIZON) / DEGREE);
     vec3 towards = vec3(cos(high), sin(high), 0.0), direction = vec3(cos(up), sin(up), 0.0), depth = RAYLEIGH + 0.02;
     vec3 sky = encodeSRGB(sunlitSky(direction, towards, depth) + nightSky(direction, towards));

@@ -1,6 +1,7 @@
-// The light of the sky: drag the sun, and the point where its light is scattered. The sunlight that reaches this layer
-// has passed through air (its mass is orange), and the light that the layer scatters passes through more air on its way
-// to the eye (blue).
+// The light of the sky: drag the sun, and the point on the line of sight. The layer of air at this point receives
+// sunlight that has passed through the air above, and scatters light that passes through more air on its way to the
+// eye. The numbers are the air masses of the whole path in either direction: towards the sun (orange) and along the
+// line of sight (blue).
 // On the right is the light that each layer adds in red, green and blue, at its height; above is the sum of all layers,
 // the sky.
 #include "figure.glsl"
@@ -8,7 +9,7 @@
 #include "sky.glsl"      // RAYLEIGH, transmittance, scatteredLight
 
 uniform vec2 sun;   // (-1.6, -0.18) handle units: direction of the sun, seen from the eye
-uniform vec2 layer; // (-0.36, -0.1) handle units: a point of the line of sight
+uniform vec2 layer; // (-0.36, -0.1) handle units: a point on the line of sight
 
 const vec2 EYE = vec2(0.45, -0.8);
 const float TOP = 0.4, AIR = 1.2, PLOT = 0.85; // the air reaches from the eye's height to TOP; units
@@ -38,7 +39,7 @@ vec3 rayColour(Ray ray)
     if (p.x < PLOT)
         fill(abs(p.y - at.y) - 0.02, SAND, 1.0);
 
-    // The light on its way, in the colour of the part that remains.
+    // The path of the light, in the colour of the part that remains.
     vec2 space = at + (TOP - at.y + 1.0) * sunMass * toSun;
     float way = clamp(depth, 0.0, layerDepth);
     vec3 added = addedAt(layerDepth, sunMass, viewMass);

@@ -1,6 +1,6 @@
-// Towers that differ, from above: drag the ray's start and its aim. In each cell only its own tower is evaluated.
-// If capped is true, a circle never reaches the tower of another cell; if it is false, the ray passes through towers.
-// The number of steps is at the top left.
+// Towers that differ, seen from above: drag the ray's start and its aim. In each cell, only the tower of that cell is
+// evaluated. If the parameter `capped` is on, a circle never reaches the tower of another cell; if it is off, the ray
+// passes through towers. The number of steps is at the top left.
 #include "figure.glsl"
 #include "repetition.glsl" // cellOf, cellRandom
 
@@ -24,7 +24,7 @@ float towerDistance(vec2 p)
 float sceneDistance(vec3 p)
 {
     vec2 q = abs(inCell(p.xy));
-    float wall = 0.5 * PERIOD - max(q.x, q.y); // to the nearest border of the cell
+    float wall = 0.5 * PERIOD - max(q.x, q.y); // distance to the nearest border of the cell
     return capped ? min(towerDistance(p.xy), wall + GAP) : towerDistance(p.xy);
 }
 

@@ -1,9 +1,10 @@
-// Inside or outside: drag the point, and the corner at the mouth of the spiral. The half-line to the right crosses
-// the outline; an odd number of crossings, written at the point, means inside. The pale number at a corner says how
-// many sides count when the half-line passes through the corner: those that have their lower end there.
+// Inside or outside: drag the point, and the corner at the mouth of the spiral. The half-line from the point to the
+// right crosses the outline; if the number of crossings, written at the point, is odd, the point is inside. The pale
+// number at a corner says how many sides count when the half-line passes through the corner: those that have their
+// lower end there.
 #include "figure.glsl"
 
-uniform vec2 point;  // (-0.62, -0.25) handle units: is it inside?
+uniform vec2 point;  // (-0.62, -0.25) handle units: the point that is tested
 uniform vec2 corner; // (-1.28, -0.56) handle units: a corner of the figure
 
 const int COUNT = 16;
@@ -35,21 +36,21 @@ vec3 rayColour(Ray ray)
         line2(p, point, vec2(4.0, point.y), 2.5, INK);
     dashes(p, point, vec2(4.0, point.y), 1.5, INK);
 
-    // All sides that span the height of the point and that the half-line meets.
+    // Count the sides that span the height of the point and that the half-line meets.
     int crossings = 0;
     float counted = 0.0;
     vec2 label = vec2(9.0);
     vec2 from = at[COUNT - 1], before = at[COUNT - 2];
     for (int i = 0; i < COUNT; i++) {
         vec2 to = at[i];
-        bool begins = from.y <= point.y, ends = to.y <= point.y; // at most as high as the point
+        bool begins = from.y <= point.y, ends = to.y <= point.y; // is this end at most as high as the point?
         float x = from.x + (to.x - from.x) * (point.y - from.y) / (to.y - from.y + (begins != ends ? 0.0 : 1.0));
         if (begins != ends && x > point.x) {
             crossings++;
             dot2(p, vec2(x, point.y), 8.0, TEAL);
         }
         vec2 beside = from + 0.09 * normalize(from - 0.5 * (before + to) + 1e-6);
-        if (length(p - beside) < length(p - label)) { // the nearest corner's number is the one shown here
+        if (length(p - beside) < length(p - label)) { // this pixel shows the number of the nearest corner
             label = beside;
             counted = float(before.y > from.y) + float(to.y > from.y);
         }

@@ -1,6 +1,7 @@
 // A mixture of two distances: drag the ray's start, its aim and the right disc, and change the share. With half of
 // each, the outline is an ellipse with the centres as its foci. The circles are empty, so the march is safe, but beside
-// the ellipse they do not touch it: the mixture is less than the distance, and the march takes more steps (top left).
+// the ellipse they do not touch it: the mixture is less than the distance, and the march takes more steps. Their number
+// is at the top left.
 #include "figure.glsl"
 
 uniform vec2 eye;    // (-1.5, 0.62) handle units: where the ray starts
@@ -20,7 +21,8 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), direction = normalize(aim - eye + 1e-6);
     float d = sceneDistance(vec3(p, 0.0)), t;
-    // How fast the mixture changes: the weighted mean of two unit vectors, which is shorter than 1 where they differ.
+    // How fast the mixture changes: the length of the weighted mean of two unit vectors, which is less than 1 where
+    // they differ.
     float slope = max(length(mix(normalize(p - LEFT + 1e-6), normalize(p - centre + 1e-6), morph)), 0.05);
     dashes(p, eye, eye + 6.0 * direction, 1.0, PALE);
     int steps = drawMarch(p, eye, direction, 6.0, 0.004, 64, t);

@@ -5,7 +5,7 @@
 
 uniform vec2 point; // (0.12, 0.28) handle units: the point whose distance is measured
 uniform vec2 a;     // (-0.95, -0.5) handle units: where the segment begins
-uniform vec2 b;     // (0.85, -0.2) handle units: where it ends
+uniform vec2 b;     // (0.85, -0.2) handle units: where the segment ends
 
 float sceneDistance(vec3 p)
 {

@@ -1,6 +1,6 @@
 // Two methods along a ray: drag its start and its aim, and change the length of the fixed steps, shown as ticks. At the
-// top left are the evaluations of the march (blue) and of the fixed steps (orange). A ring marks where the fixed steps
-// stop: in the thin bar or, if they miss it, in the wall behind.
+// top left are the numbers of evaluations in the march (blue) and with fixed steps (orange). A ring marks where the
+// fixed steps stop: in the thin bar or, if they miss it, in the wall behind.
 #include "figure.glsl"
 
 uniform vec2 eye;        // (-1.55, 0.5) handle units: where the ray starts

@@ -1,6 +1,7 @@
 // A blend of two materials: drag the two discs, and the point along the outline. Where the shares of clay and blue
-// glaze are 1 - s and s, the normal is the sum of two arrows with these lengths, one along the normal of each disc.
-// The green number is s. With numbers, clay is 2 and glaze is 5, and the numbers in between belong to neither.
+// glaze are 1 - s and s, the normal is the sum of two arrows with these lengths, one along the normal of each disc. The
+// green number is s. If the parameter `numbered` is on, clay is 2 and glaze is 5, and the numbers in between belong to
+// neither.
 #include "figure.glsl"
 #include "lighting.glsl" // encodeSRGB
 #include "material.glsl" // Material, mixMaterials
@@ -45,7 +46,8 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), at = point, normal = vec2(0.0);
     vec2 toClay = normalize(p - clay + 1e-6), toGlaze = normalize(p - glaze + 1e-6);
-    float slope = max(length(mix(toClay, toGlaze, shareAt(p))), 0.1); // of the union: with it, lines keep their width
+    // The slope of the union. Lines keep their width because the distance is divided by this slope.
+    float slope = max(length(mix(toClay, toGlaze, shareAt(p))), 0.1);
     float d = sceneDistance(vec3(p, 0.0)) / slope, share = 0.0;
     fill(d, colourAt(shareAt(p)), 1.0);
     stroke(length(p - clay) - 0.46, 1.0, PALE);

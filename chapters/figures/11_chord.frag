@@ -1,10 +1,10 @@
-// The mean of stripes over an interval: drag its two ends. The zigzag rises over even cells and falls over odd ones,
-// so the slope of the green chord is the mean: 1 in an even cell, -1 in an odd one, near 0 over many. The square on
-// the right shows the mean of the colours.
+// The mean of stripes over an interval: drag the two ends of the interval. The zigzag rises over even cells and falls
+// over odd ones, so the slope of the green chord is the mean: 1 in an even cell, -1 in an odd cell, near 0 over many
+// cells. The square on the right shows the mean of the colours.
 #include "figure.glsl"
 
 uniform vec2 from; // (-0.76, -0.62) handle units: its x is where the interval begins
-uniform vec2 to;   // (-0.28, -0.62) handle units: its x is where it ends
+uniform vec2 to;   // (-0.28, -0.62) handle units: its x is where the interval ends
 
 const float CELL = 0.4, FOOT = -0.22, HIGH = 0.8; // the side of a cell; the zigzag's lowest value and its height, units
 
@@ -13,7 +13,7 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// The integral of 1 in even cells and -1 in odd ones, from 0.
+// The integral, from 0 to x, of a function that is 1 in even cells and -1 in odd ones.
 float zigzag(float x)
 {
     return 1.0 - abs(mod(x, 2.0) - 1.0);

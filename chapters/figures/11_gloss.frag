@@ -1,6 +1,7 @@
-// Where a rough surface sends the light: drag the lamp and the eye. The farther out the curve is in a direction, the
-// more light goes there. The orange curve is GGX, the blue one Blinn and Phong. The eye sees the tiny mirrors whose
-// normal, green, is halfway between the lamp and the eye. Change the roughness.
+// Where a rough surface sends the light: drag the lamp and the eye, and change the roughness. The farther out the curve
+// is in a direction, the more light goes in that direction. The orange curve is GGX, and the blue curve is Blinn and
+// Phong's highlight. The eye sees the tiny mirrors whose normal, the green arrow, is halfway between the directions to
+// the lamp and to the eye.
 #include "figure.glsl"
 #include "gloss.glsl" // ggxGloss, blinnPhongGloss, halfway
 
@@ -8,7 +9,7 @@ uniform vec2 lamp;       // (-1.1, 0.6) handle units: where the light comes from
 uniform vec2 eye;        // (0.75, 0.75) handle units: where the eye is
 uniform float roughness; // 0.5 in [0.2, 1] step 0.02: 0 would be a mirror
 
-const vec2 AT = vec2(0.0, -0.65); // the point of the surface
+const vec2 AT = vec2(0.0, -0.65); // the point on the surface that the light meets
 const vec3 UP = vec3(0.0, 1.0, 0.0);
 
 float sceneDistance(vec3 p)

@@ -1,10 +1,10 @@
-// The footprint of a pixel on a chequered floor, from above: drag the eye and the pixel. Blue is the part that the
-// pixel covers, between the rays through its corners. Orange is the rectangle that is averaged; the square at the top
-// right shows its mean. The pale lines are the borders of all pixels.
+// The footprint of a pixel on a chequered floor, seen from above: drag the eye and the pixel. Blue is the part of the
+// floor that the pixel covers, between the rays through its corners. Orange is the rectangle that is averaged; the
+// square at the top right shows the mean of this rectangle. The pale lines are the borders of all pixels.
 #include "figure.glsl"
 #include "checkers.glsl" // checkers
 
-uniform vec2 eye;        // (-0.35, -0.85) handle units: the point of the floor below the eye, which looks up the sheet
+uniform vec2 eye;        // (-0.35, -0.85) handle units: the floor below the eye, which looks towards the top
 uniform vec2 pixel;      // (0.35, 0.3) handle units: the middle of the pixel
 uniform float height;    // 0.5 in [0.1, 1.5] step 0.05, units: height of the eye above the floor
 uniform float pixelSize; // 0.12 in [0.01, 0.3] step 0.01: side of a pixel on a screen at the distance 1
@@ -41,7 +41,7 @@ vec3 rayColour(Ray ray)
         // How far the position on the screen moves, perpendicular to each kind of border, per unit on the floor.
         vec2 rate = vec2(length(vec2(1.0, here.x)), height / (p.y - eye.y)) / (p.y - eye.y);
         vec2 apart = abs(fract((here - middle) / pixelSize) - 0.5) * pixelSize / rate;
-        vec2 seen = smoothstep(vec2(2.0), vec2(8.0), pixelSize / rate / penWidth(1.0)); // they fade where they crowd
+        vec2 seen = smoothstep(vec2(2.0), vec2(8.0), pixelSize / rate / penWidth(1.0)); // borders fade where they crowd
         fill(apart.x - 0.4 * penWidth(1.0), PALE, seen.x);
         fill(apart.y - 0.4 * penWidth(1.0), PALE, seen.y);
     }

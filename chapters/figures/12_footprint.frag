@@ -1,6 +1,7 @@
 // The footprint of a pixel: drag the eye, and the point of the floor that the pixel shows. Below the floor are the
-// levels of the picture, each with texels twice as wide as the one above. The footprint is green, with its length in
-// texels beside it. It determines the level (orange), whose texels are as long; between two levels, both are mixed.
+// levels of the texture; the texels of each level are twice as wide as those of the level above. The footprint is
+// green, and its length in texels is beside it. This length, times the parameter `footprint`, determines the level
+// (orange) whose texels are as long; between two levels, both are mixed.
 #include "figure.glsl"
 #include "lighting.glsl" // encodeSRGB
 
@@ -8,9 +9,9 @@ uniform sampler2D granite; // "granite.png" sRGB repeat: polished stone
 uniform vec2 eye;          // (-1.3, 0.84) handle units: where the rays start
 uniform vec2 aim;          // (0.32, -0.05) handle units: the middle of the pixel, on the floor
 uniform float pixelAngle;  // 4 in [1, 10] step 0.5, degrees: how wide the ray of a pixel is
-uniform float footprint;   // 1 in [0.25, 2] step *1.1: factor of the footprint
+uniform float footprint;   // 1 in [0.25, 2] step *1.1: factor on the footprint
 
-const float FLOOR = -0.05, TEXEL = 0.03, ROW = 0.13; // heights, and the width of a texel of level 0, units
+const float FLOOR = -0.05, TEXEL = 0.03, ROW = 0.13; // height of the floor, width of a level-0 texel, height of a row
 const int LEVELS = 6;
 
 float sceneDistance(vec3 p)
@@ -31,7 +32,7 @@ vec3 rayColour(Ray ray)
     float near = floorAt(middle - 0.5 * pixel), far = floorAt(middle + 0.5 * pixel);
     float texels = (far - near) / TEXEL, level = clamp(log2(footprint * texels), 0.0, float(LEVELS - 1));
 
-    // The rays between the pixels, and the pixel in question.
+    // The rays through the borders of the pixels, and the selected pixel.
     float angle = atan(p.x - eye.x, max(eye.y - p.y, 1e-4));
     float between = abs(fract((angle - middle) / pixel) - 0.5) * pixel * length(p - eye);
     if (p.y > FLOOR && p.y < eye.y) {

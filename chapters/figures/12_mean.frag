@@ -1,13 +1,13 @@
-// What a pixel should show: drag the pixel over the grains, and change its width. On the right, from
-// the top, are the one texel in its middle, which keeps changing, the mean of all its texels, and a lookup in the
-// level that fits. The numbers are the green channels, from 0 to 255.
+// What a pixel should show: drag the pixel over the grains, and change its width. On the right, from top to bottom, are
+// the single texel in the middle of the pixel, which changes abruptly, the mean of all texels in the pixel, and a
+// lookup in the level that fits. The numbers are the green channels, from 0 to 255.
 #include "figure.glsl"
 #include "lighting.glsl" // encodeSRGB
 
 uniform sampler2D granite; // "granite.png" sRGB repeat: polished stone
 uniform vec2 middle;       // (-0.85, -0.1) handle units: middle of the pixel
-uniform float wide;        // 11.5 in [1, 22] step 0.5, texels: its width
-uniform float footprint;   // 0.577 in [0.1, 4] step *1.1: factor of the footprint, 0.577 is best
+uniform float wide;        // 11.5 in [1, 22] step 0.5, texels: width of the pixel
+uniform float footprint;   // 0.577 in [0.1, 4] step *1.1: factor on the footprint; 0.577 is best
 
 const float TEXEL = 0.045; // the width of a texel, units
 
@@ -21,7 +21,7 @@ vec3 texelAt(ivec2 at)
     return texelFetch(granite, ivec2(mod(vec2(at), vec2(textureSize(granite, 0)))), 0).rgb;
 }
 
-// The mean over a pixel centred at a point, both in texels. A texel that is partly covered counts in part.
+// The mean over a pixel centred at a point, in texels. A texel that is partly covered counts in proportion.
 vec3 meanAt(vec2 at)
 {
     vec3 sum = vec3(0.0);
@@ -45,11 +45,11 @@ vec3 rayColour(Ray ray)
 
     float panel = p.x - 1.08;
     fill(-panel, PAPER, 1.0);
-    int row = int(floor(1.5 - 1.5 * p.y)); // from the top
+    int row = int(floor(1.5 - 1.5 * p.y)); // counted from the top
     vec2 centre = vec2(1.43, 0.667 - 0.667 * float(row));
     if (panel > 0.0) {
         vec3 light = texelAt(ivec2(floor(at)));
-        if (row == 1 && sdRectangle(p - centre, vec2(0.26)) < 0.0) // the long sum, only where it is shown
+        if (row == 1 && sdRectangle(p - centre, vec2(0.26)) < 0.0) // the long sum is computed only where it is shown
             light = meanAt(at);
         if (row == 2) {
             vec2 size = vec2(textureSize(granite, 0));

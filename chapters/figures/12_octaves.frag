@@ -1,12 +1,12 @@
-// A sum of octaves and the bound on its slope: drag the point along the curve. The curve never enters the blue
-// wedges, whose sides are as steep as the bound (the number). Add octaves, and change the gain: with a gain of 0.5,
-// each octave adds as much to the bound as the first.
+// A sum of octaves and the bound on its slope: drag the point along the curve. The curve never enters the blue wedges,
+// whose sides are as steep as the bound (the number). Add octaves, and change the gain: with a gain of 0.5, all octaves
+// are equally steep.
 #include "figure.glsl"
 #include "noise.glsl" // octaveNoise, octaveStretch
 
-uniform vec2 point;  // (-0.28, -0.14) handle units: the tip of the wedges follows it along the curve
-uniform int octaves; // 4 in [1, 7]: how many are added
-uniform float gain;  // 0.5 in [0.2, 0.9] step 0.05: how large each is, compared with the one before
+uniform vec2 point;  // (-0.28, -0.14) handle units: the tip of the wedges follows this point along the curve
+uniform int octaves; // 4 in [1, 7]: number of octaves
+uniform float gain;  // 0.5 in [0.2, 0.9] step 0.05: weight of an octave relative to the previous one
 
 const float CELL = 0.7, HIGH = 1.1; // the width of the first octave's cells, and the height of the value 1, units
 

@@ -1,13 +1,14 @@
-// A picture projected onto a stone like a slide: drag the projector around the stone. Where the surface faces it, the
-// stripes are as wide as on the slide; where it turns away, they are stretched. Drag the point along the outline: the
-// number is the factor. With two projections, each counts where the surface faces it.
+// A picture projected onto a stone like a slide: drag the projector around the stone. Where the surface faces the
+// projector, the stripes are as wide as on the slide; where the surface turns away, they are stretched. Drag the point
+// along the outline: the number is the factor by which the stripes are stretched there. With two projections, each
+// dominates where the surface faces it.
 #include "figure.glsl"
 #include "texture.glsl" // planeWeights
 
 uniform vec2 projector;   // (-0.26, 0.7) handle units: where the light comes from
-uniform vec2 point;       // (0.5, 0.12) handle units: a point of the outline
+uniform vec2 point;       // (0.5, 0.12) handle units: a point on the outline
 uniform int projections;  // 1 in [1, 2]: 2 adds one from the side
-uniform float sharpness;  // 6 in [1, 30] step *1.2: how narrow the change from one to the other is
+uniform float sharpness;  // 6 in [1, 30] step *1.2: how narrow the transition between the projections is
 
 float sceneDistance(vec3 p)
 {

@@ -1,6 +1,6 @@
 // What one march reveals: drag the point, its ray to the lamp, and the ball beside the ray. At the bottom right are
-// three angles, in degrees: from the smallest distance / t (teal), the true one (blue), and from the lowest crease
-// (orange).
+// three angles, in degrees: the angle from the smallest distance / t (teal), the true angle (blue), and the angle from
+// the lowest crease between two circles (orange).
 #include "figure.glsl"
 
 uniform vec2 spot; // (-1.55, -0.3) handle: the point
@@ -14,7 +14,8 @@ float sceneDistance(vec3 p)
     return sdCircle(p.xy - ball, RADIUS);
 }
 
-// The end of a line from the point at an angle to the ray, on the ball's side.
+// The end of a line from the point that makes an angle with the ray, on the ball's side.
+//   tangent  of this angle
 vec2 lineEnd(vec2 direction, vec2 beside, float tangent)
 {
     return spot + 3.0 * normalize(direction + min(tangent, 1e3) * beside);
@@ -26,7 +27,8 @@ vec3 rayColour(Ray ray)
     vec2 beside = vec2(-direction.y, direction.x), toBall = ball - spot;
     beside *= dot(toBall, beside) < 0.0 ? -1.0 : 1.0;
 
-    // The march of clearanceAlong, with its circles; which crease is lowest, and which step gives the angle.
+    // The march of clearanceAlong, with its circles. Find the lowest crease, and the step with the smallest
+    // distance / t.
     float t = 0.0, before = 1e6, most = 1e6, least = 1e6, rim = 1e6, inside = 1e6, spots = 1e6, d = 1.0;
     vec2 crease = vec2(9.0), step = vec2(0.0);
     for (int i = 0; i < 32 && t < FAR && d > 0.001; i++) {

@@ -1,6 +1,6 @@
-// The shadow of a ball: drag the point through it, or drag the ball. Where the ball looks as large as the lamp, the
-// umbra ends. On the right is the lamp's disc as seen from the point, the ball's disc in front of it, and the visible
-// share.
+// The shadow of a ball: drag the point through the shadow, or drag the ball. The umbra ends where the ball looks as
+// large as the lamp. On the right are the lamp's disc as seen from the point, the ball's disc in front of it, and the
+// visible share.
 #include "figure.glsl"
 #include "soft_shadow.glsl"
 
@@ -30,7 +30,7 @@ bool before(vec2 q)
     return along > 0.0 && along < length(LAMP - q);
 }
 
-// The visible share of the lamp from q.
+// The share of the lamp that is visible from q.
 float shareFrom(vec2 q)
 {
     if (length(ball - q) < radius || !before(q))
@@ -54,7 +54,7 @@ vec3 rayColour(Ray ray)
     stroke(sceneDistance(vec3(p, 0.0)), 2.0, BLUE);
     dot2(p, spot, 9.0, INK);
 
-    // Both discs on the point's screen, in radii of the lamp; the ball's is the circle of lampBesideBall.
+    // Both discs as seen from the point, in radii of the lamp; the ball's disc is the circle of lampBesideBall.
     float shown = 0.42, along = dot(toBall, toLamp), off = abs(dot(toBall, vec2(toLamp.y, -toLamp.x)));
     float tangent = radius / sqrt(max(dot(toBall, toBall) - radius * radius, 1e-4));
     float rim = (off - along * tangent) / max(along + off * tangent, 1e-3);

@@ -1,5 +1,5 @@
-// A penumbra: drag the point, and the floor with it, the edge of the plate, and the lamp. On the right is the lamp's
-// disc as seen from the point, and the visible share; the curve under the floor is that share along the whole floor.
+// A penumbra: drag the point, and the floor with it, the edge of the plate, and the lamp. On the right are the lamp's
+// disc as seen from the point, and its visible share; the curve under the floor is this share along the whole floor.
 #include "figure.glsl"
 #include "soft_shadow.glsl"
 
@@ -22,7 +22,7 @@ float clearFrom(vec2 q)
     return clamp((lamp.x - hit) / radius, -1.0, 1.0);
 }
 
-// The line from an end of the lamp past the edge down to the floor.
+// Draw the line from an end of the lamp past the edge down to the floor.
 void limit(vec2 p, float side)
 {
     vec2 end = lamp + vec2(side * radius, 0.0);
@@ -36,7 +36,7 @@ vec3 rayColour(Ray ray)
     float field = max(max(p.x - 0.7, spot.y - p.y), p.y - lamp.y);
     fill(max(field, p.y - edge.y), PALE, 0.75 * (1.0 - discBesideEdge(clearFrom(p))));
 
-    // The floor, and under it the share along it.
+    // The floor, and below it the visible share along the floor.
     float share = discBesideEdge(clearFrom(vec2(p.x, spot.y))), base = spot.y - 0.36;
     float next = discBesideEdge(clearFrom(vec2(p.x + 0.01, spot.y)));
     if (p.x < 0.7) {

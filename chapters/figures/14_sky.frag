@@ -1,6 +1,7 @@
-// The sky that a point sees: drag the ball, and the end of the surface's normal. Blue is open, orange is hidden, along
-// the semicircle above the surface and projected straight down onto it. On the right is the whole disc, seen along
-// the normal. The number is the openness, the blue share of the disc.
+// The sky that a point sees: drag the ball, and the end of the surface's normal. Blue is open and orange is hidden,
+// both along the semicircle above the surface and where this is projected straight down onto the surface. On the right
+// is the projection of the whole hemisphere, a disc, seen along the normal. The number is the openness, the blue share
+// of the disc.
 #include "figure.glsl"
 #include "occlusion.glsl"
 
@@ -16,7 +17,7 @@ float sceneDistance(vec3 p)
     return sdCircle(p.xy - ball, radius);
 }
 
-// The distance from q to an arc of the semicircle: from the angles low to high, measured from the normal.
+// The distance from q to an arc of the semicircle: from the angle low to the angle high, measured from the normal.
 float arcBetween(vec2 q, float low, float high)
 {
     float middle = 0.5 * (low + high), c = cos(middle), s = sin(middle);
@@ -51,8 +52,8 @@ vec3 rayColour(Ray ray)
         dot2(p, POINT, 9.0, INK);
     }
 
-    // The disc: w is the direction of the hemisphere above a point of the disc. The ball hides w within beta of its
-    // centre.
+    // The disc. w is the direction in the hemisphere above a point of the disc. The ball hides w if the angle between w
+    // and the direction to the ball's centre is less than beta.
     float size = 0.5, height;
     vec2 disc = (p - eyes) / size;
     vec3 w = vec3(disc, sqrt(max(1.0 - dot(disc, disc), 1e-4)));

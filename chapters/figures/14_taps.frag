@@ -1,13 +1,13 @@
 // Five taps: drag the point along the floor, and the corners of both walls. A tap is blue if it finds nothing, and
-// orange if it finds a wall, at the dot; the cone shows what the last of these proves. The bars on the right, and
-// the numbers, are the openness (blue) and its estimate from the taps (orange).
+// orange if it finds a wall, at the dot; the dashed lines are the tangents from the point to the circle of the last
+// tap. The bars on the right, and the numbers, are the openness (blue) and its estimate from the taps (orange).
 #include "figure.glsl"
 #include "occlusion.glsl"
 
-uniform vec2 spot;      // (-0.55, -0.75) handle: the point, by its x
+uniform vec2 spot;      // (-0.55, -0.75) handle: its x is the position of the point
 uniform vec2 left;      // (-0.85, 0.8) handle: corner of the left wall
 uniform vec2 right;     // (0.35, 0.8) handle: corner of the right wall
-uniform float strength; // 1 in [0, 1] step 0.05: how much of the light a tap takes
+uniform float strength; // 1 in [0, 1] step 0.05: how much of the light a tap removes
 
 const float FLOOR = -0.75, REACH = 1.28;
 

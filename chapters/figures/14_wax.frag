@@ -1,6 +1,6 @@
 // Through wax: drag the lamp, the drop and the point. Every point in the wax has the colour of the light that reaches
-// it straight from the lamp. The number is the length of the light's path inside the wax, and the patch on the right
-// shows the light that remains.
+// it straight from the lamp. For the point that is dragged, the number is the length of the light's path inside the
+// wax, and the patch on the right shows the light that remains.
 #include "figure.glsl"
 #include "lighting.glsl"
 #include "thickness.glsl"
@@ -23,7 +23,8 @@ float wayFrom(vec2 q)
     return thicknessAlong(Ray(vec3(q, 0.0), vec3(normalize(toLamp + 1e-6), 0.0)), length(toLamp), 0.004, 48);
 }
 
-// The part of white light that remains: less of green and blue than of red, as in the chapter.
+// The white light that remains after a path, encoded for the screen: less of green and blue than of red, as in the
+// experiment 14_wax.frag.
 vec3 leftAfter(float way)
 {
     return encodeSRGB(lightThrough(way, depth * vec3(1.0, 0.476, 0.202)));

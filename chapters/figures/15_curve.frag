@@ -1,18 +1,18 @@
 // The curve of a film: drag the white point and the light to the left and right. Plotted against the light, in stops
 // from middle grey, are its clamped value (pale), a smoothstep (orange) and the film (blue). Below is a colour that
 // gets brighter: clamped, with the film on each channel, and with the film on the largest channel. The numbers are the
-// stops and the film's result.
+// selected light, in stops, and the film's result for it.
 #include "figure.glsl"
 #include "film.glsl"
 #include "lighting.glsl"
 
-uniform vec2 white;  // (1.37, 0.85) handle: the light that becomes 1, by its x
-uniform vec2 spot;   // (0.5, -0.4) handle: the light that is shown, by its x
-uniform float gamma; // 1.45 in [1, 3] step 0.05: how steep the film is
+uniform vec2 white;  // (1.37, 0.85) handle: its x is the light that becomes 1
+uniform vec2 spot;   // (0.5, -0.4) handle: its x is the selected light
+uniform float gamma; // 1.45 in [1, 3] step 0.05: steepness of the film's curve
 uniform vec3 colour; // 1, 0.4, 0.05 in [0, 1], linear RGB: colour of the strips
 
 const vec2 LOW = vec2(0.0, -0.4); // origin of the plot: middle grey, and light 0
-const float STOP = 0.25, HIGH = 1.25; // a stop, and the light 1, units
+const float STOP = 0.25, HIGH = 1.25; // width of a stop, and height of the value 1, units
 
 float sceneDistance(vec3 p)
 {
@@ -47,7 +47,7 @@ vec3 rayColour(Ray ray)
     dot2(p, LOW + vec2(0.0, 0.18 * HIGH), 7.0, INK);
     dot2(p, LOW + vec2(STOP * log2(whiteLight / 0.18), HIGH), 9.0, BLUE);
 
-    // The strips: the light of the colour's largest channel is that of the plot above.
+    // The strips: the light of the colour's largest channel equals the light in the plot above.
     float strip = (LOW.y - 0.08 - p.y) / 0.16;
     if (strip > 0.0 && strip < 3.0) {
         vec3 bright = light * colour / max(max(colour.r, max(colour.g, colour.b)), 1e-3);

@@ -1,4 +1,4 @@
-// Low mist: drag both ends of the ray. The bar above it is divided into ten pieces of the same optical depth. The
+// Low mist: drag both ends of the ray. The bar above the ray is divided into ten pieces of the same optical depth. The
 // numbers are the optical depth of the whole ray, and the share of the light that remains.
 #include "figure.glsl"
 #include "fog.glsl"
@@ -23,7 +23,7 @@ vec3 rayColour(Ray ray)
     vec2 way = normalize(to - from + 1e-6), beside = vec2(-way.y, way.x) * (way.x < 0.0 ? -1.0 : 1.0);
     float height = from.y - GROUND, whole = fogDepth(height, climb, far, density, scale);
 
-    // The mist, by its density, and the ground.
+    // The mist, whose opacity shows its density, and the ground.
     float here = density * exp(-max(p.y - GROUND, 0.0) / scale);
     sheetColour = mix(PAPER, MIST, 1.0 - exp(-0.7 * here));
     fill(p.y - GROUND, SAND, 1.0);

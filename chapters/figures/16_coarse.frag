@@ -3,7 +3,7 @@
 #include "figure.glsl"
 
 uniform vec2 eye;     // (-1.55, 0.0) handle: where the rays start
-uniform vec2 aim;     // (0.5, 0.02) handle: where the block lies
+uniform vec2 aim;     // (0.5, 0.02) handle: where the cone points
 uniform vec2 ball;    // (0.78, -0.33) handle: centre of the ball
 uniform float spread; // 0.08 in [0.01, 0.3] step 0.01, units per unit: how fast the cone widens
 
@@ -44,8 +44,8 @@ vec3 rayColour(Ray ray)
     fill(d, SAND, 1.0);
     stroke(d, 2.0, ORANGE);
 
-    // The rays of eight pixels march on from there, each with its own steps. They are computed only where they or their
-    // count are shown.
+    // The rays of eight pixels are marched on from there, each in separate steps. They are computed only where the rays
+    // or their count are shown.
     int rest = 0;
     float lines = 1e6, ends = 1e6;
     bool seen = dot(p - eye, direction) > t - 0.05 || (p.x < -1.4 && p.y > 0.6);

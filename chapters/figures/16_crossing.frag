@@ -4,11 +4,11 @@
 #include "figure.glsl"
 #include "crossing.glsl"
 
-uniform vec2 start;      // (-1.36, 0.62) handle: where the march starts, by its x
+uniform vec2 start;      // (-1.36, 0.62) handle: its x is where the march starts
 uniform vec2 top;        // (-1.6, 0.74) handle: end of the line
 uniform float threshold; // 0.5 in [0.1, 1] step 0.02, units: the threshold
 
-const float FLOOR = -0.8, WALL = 1.5; // where the distance is 0
+const float FLOOR = -0.8, WALL = 1.5; // y and x at which the plotted distance is 0
 
 // The distance to the wall: the height of the line above the floor of the figure.
 float heightAt(float x)
@@ -21,7 +21,7 @@ float sceneDistance(vec3 p)
     return heightAt(p.x);
 }
 
-// Draw a march: from the line down at 45 degrees to a height, then up to the line again, until it is below the
+// Draw a march: from the line down at 45 degrees to a height, then up to the line again, until the line is below the
 // threshold. Returns the last position; before is the position before the last.
 float zigzag(vec2 p, float short2, vec3 colour, out float before)
 {

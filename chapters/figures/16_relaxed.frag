@@ -1,6 +1,6 @@
-// Longer steps: drag the eye, the point it is aimed at, and the post. Teal circles are known to be free; an orange
-// circle left a gap, so the march went back. At the top left are the evaluations of this march and, in blue, of the
-// plain one.
+// Longer steps: drag the eye, the point it is aimed at, and the post. Blue circles are known to be free; an orange
+// circle left a gap, so the march went back. At the top left are the numbers of evaluations of this march and, in blue,
+// of the plain march.
 #include "figure.glsl"
 
 uniform vec2 eye;    // (-1.55, -0.2) handle: where the ray starts
@@ -17,7 +17,7 @@ float sceneDistance(vec3 p)
     return min(ground, standing);
 }
 
-// The evaluations of a march with plain steps.
+// The number of evaluations of a march with plain steps.
 int plainCount(vec2 direction)
 {
     int count = 0;

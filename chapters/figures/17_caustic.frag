@@ -1,13 +1,13 @@
 // A ball focuses light: drag the point through the light behind the ball, the ball, and the direction to the far lamp.
-// At the top left is the brightness of the point; without the ball it is 1.
+// At the top left is the brightness of the point, which is 1 without the ball.
 #include "figure.glsl"
 #include "caustic.glsl"
 
 uniform vec2 spot;    // (0.35, 0.0) handle: the point
 uniform vec2 ball;    // (-0.55, 0.0) handle: centre of the ball
-uniform vec2 lamp;    // (-1.5, 0.0) handle: the far lamp lies this way, seen from the centre of the sheet
+uniform vec2 lamp;    // (-1.5, 0.0) handle: direction of the far lamp, seen from the centre of the sheet
 uniform float index;  // 1.5 in [1.02, 1.53] step 0.01: index of refraction of the ball
-uniform float spread; // 0.06 in [0.005, 0.3] step *1.2: radius of the lamp, seen from one unit
+uniform float spread; // 0.06 in [0.005, 0.3] step *1.2: radius of the lamp's disc at a distance of one unit
 
 const float RADIUS = 0.5;
 const int RAYS = 11;
@@ -18,7 +18,7 @@ float sceneDistance(vec3 p)
 }
 
 // The light at q, relative to the ball's centre: light that passes beside the ball, and light that the ball focuses.
-// Without the ball it is 1.
+// Without the ball, the light is 1.
 float lightAt(vec2 q, vec2 toLamp)
 {
     float z = -dot(q, toLamp), r = length(q + z * toLamp);
@@ -30,10 +30,11 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), toLamp = normalize(lamp + 1e-6), across = vec2(-toLamp.y, toLamp.x);
     float d = sceneDistance(vec3(p, 0.0)), light = lightAt(p - ball, toLamp);
-    // From night to the brightest colour; a light of 1 is a third of the way, one of 4 two thirds.
+    // From night to the brightest colour: a light of 1 is a third of the way, and a light of 4 is two thirds.
     sheetColour = mix(0.7 * INK, SAND, light / (light + 2.0));
 
-    // Parallel rays: each is turned by i - j where it enters, and by as much where it leaves.
+    // Parallel rays: each is turned by the angle of incidence minus that of refraction where it enters, and by the same
+    // angle where it leaves.
     float path = 1e6;
     for (int k = 0; k < RAYS; k++) {
         float sine = 0.96 * (2.0 * float(k) / float(RAYS - 1) - 1.0), cosine = sqrt(1.0 - sine * sine);

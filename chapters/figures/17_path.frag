@@ -1,10 +1,11 @@
-// The march inside: drag the eye, the point it is aimed at, and the ball of glass. Outside, a step is the distance
-// (orange circles); inside, it is minus the distance (blue). The reflected part of the light, dashed, is not followed.
+// The march inside: drag the eye, the point it is aimed at, and the ball of glass. Outside, the length of a step is the
+// distance (orange circles); inside, it is minus the distance (blue circles). The reflected part of the light, dashed,
+// is not followed.
 #include "figure.glsl"
 #include "glass.glsl"
 
 uniform vec2 eye;    // (-1.5, 0.42) handle: where the ray starts
-uniform vec2 aim;    // (-0.8, 0.36) handle: where it points
+uniform vec2 aim;    // (-0.8, 0.36) handle: where the ray points
 uniform vec2 ball;   // (-0.28, 0.08) handle: centre of the ball
 uniform float index; // 1.52 in [1, 2] step 0.02: index of refraction of the glass
 

@@ -1,14 +1,14 @@
-// A prism in a dark room: drag the lamp, the point it is aimed at, and the corner of the prism. Turn the prism: its
-// colours move, stop and come back. At the top left are the angle by which green is turned and, pale, the smallest
-// such angle.
+// A prism in a dark room: drag the lamp, the point it is aimed at, and the corner of the prism. Turn the prism: the
+// colours behind it move, stop and come back. At the top left are the angle by which green light is turned and, pale,
+// the smallest such angle.
 #include "figure.glsl"
 #include "lighting.glsl"
 #include "prism.glsl"
 
 uniform vec2 lamp;   // (-1.5, -0.33) handle: where the light comes from
-uniform vec2 aim;    // (-0.5, 0.27) handle: where it points
+uniform vec2 aim;    // (-0.5, 0.27) handle: where the light points
 uniform vec2 corner; // (-0.15, 0.86) handle: corner of the prism
-uniform float dispersion; // 0.013 in [0, 0.04] step 0.001, square micrometres: how its index varies; of flint 0.013
+uniform float dispersion; // 0.013 in [0, 0.04] step 0.001, square micrometres: variation of the index; 0.013 for flint
 
 const vec2 MIDDLE = vec2(-0.15, 0.3);
 const float GREEN = 1.7337; // index of green light
@@ -23,11 +23,11 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), up = normalize(corner - MIDDLE + 1e-6), right = vec2(up.y, -up.x);
     float size = 0.5 * clamp(length(corner - MIDDLE), 0.2, 0.9), width = penWidth(3.0); // size: from middle to side
-    mat3x2 normal = mat3x2(-up, 0.5 * up + 0.8660254 * right, 0.5 * up - 0.8660254 * right); // of the three sides
+    mat3x2 normal = mat3x2(-up, 0.5 * up + 0.8660254 * right, 0.5 * up - 0.8660254 * right); // normals of the sides
     vec3 above = (p - MIDDLE) * normal - size;
-    float prism = max(above.x, max(above.y, above.z)), turned = 0.0, amount = 0.0; // of the spectrum at p
+    float prism = max(above.x, max(above.y, above.z)), turned = 0.0, amount = 0.0; // amount: width of the spectrum at p
 
-    // White light, up to the prism: it enters through the last of the sides that it faces.
+    // White light, up to the prism. Of the sides that it faces, it enters through the one that it crosses last.
     vec2 start = normalize(aim - lamp + 1e-6);
     vec3 facing = start * normal, way = (size - (lamp - MIDDLE) * normal) / (facing + 1e-7);
     vec3 first = mix(way, vec3(-1e6), vec3(greaterThan(facing, vec3(0.0))));
@@ -38,13 +38,13 @@ vec3 rayColour(Ray ray)
     vec3 light = vec3(coverage(0.5 * width - sdSegment(p, lamp, hit ? meet : lamp + 4.0 * start), sheetPixel()));
 
     vec2 waves = vec2(9.0, 0.0); // the smallest and the largest wavelength that arrives at p
-    vec3 before = vec3(9.0);     // how far p is off the previous pieces of the ray
+    vec3 before = vec3(9.0);     // how far p is from the pieces of the previous ray
     for (int k = 0; k < (hit ? 4 : 0); k++) {
         float last = FOLLOWED[max(k - 1, 0)], wave = FOLLOWED[k];
         float index = GREEN + dispersion * (1.0 / (wave * wave) - 1.0 / 0.3025);
         vec2 from = meet, direction = refract(start, side, 1.0 / index);
         bool within = true;
-        // The ray passes through the prism, after total reflection once more, and leaves it.
+        // The ray passes through the prism, once more after total reflection, and leaves the prism.
         for (int piece = 0; piece < 3; piece++) {
             facing = direction * normal;
             way = (size - (from - MIDDLE) * normal) / (facing + 1e-7);

@@ -1,6 +1,6 @@
-// A surface bends light: drag the lamp over the face of the glass, and below it. Thicker rays carry more light. At
-// the top left are the angles of the ray (black) and of the refracted ray (teal), and the share reflected (orange); on
-// the right is that share for all angles from 0 to 90 degrees, and Schlick's formula for it (blue).
+// A surface bends light: drag the lamp above the face of the glass, and below it. Thicker rays carry more light. At the
+// top left are the angles of the ray (black) and of the refracted ray (teal), and the share reflected (orange); on the
+// right is this share for all angles from 0 to 90 degrees, with Schlick's formula for it (blue).
 #include "figure.glsl"
 #include "glass.glsl"
 
@@ -33,7 +33,8 @@ vec3 rayColour(Ray ray)
         dashes(p, MEET - vec2(0.0, 0.85), MEET + vec2(0.0, 0.85), 1.0, PALE);
         fill(abs(length(p - MEET) - circle) - 0.5 * penWidth(1.0), PALE, 1.0);
 
-        // From the normal to the circle, perpendicular to the normal: sin i and sin j, whose ratio is the index.
+        // Lines perpendicular to the normal, from the normal to the circle. Their lengths are proportional to sin i and
+        // sin j, whose ratio is the index.
         vec2 from = MEET - circle * direction, to = MEET + circle * parting.bent.xy;
         line2(p, vec2(MEET.x, from.y), from, 2.5, INK);
         line2(p, vec2(MEET.x, to.y), to, 2.5, passed > 0.0 ? TEAL : SKY);

@@ -11,7 +11,7 @@ uniform sampler2D sunward; // "sky_sunward.png" sRGB clamp: the half of the sky 
 uniform sampler2D away;    // "sky_away.png" sRGB clamp: the other half
 
 uniform vec2  at; // (-0.5, 0.6) handle: the sun's height
-uniform float k;  // 0.1 in [0.02, 0.98] step 0.02: the smaller, the closer are the columns at the horizon
+uniform float k;  // 0.1 in [0.02, 0.98] step 0.02: the smaller it is, the closer the columns are at the horizon
 
 const vec2 LOW = vec2(-1.45, -0.68), HIGH = vec2(1.6, 0.85); // corners of the plot
 
@@ -20,7 +20,7 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// The height's sine at a share of the table, and the inverse.
+// The sine of the height at a fraction of the table's width, and the inverse.
 float sineAt(float share)
 {
     float lowest = drawnOut(LOWEST_SUN, k), x = mix(lowest, 1.0, share);

@@ -1,10 +1,10 @@
 // Skybox and skydome: the sky on the upper half of a cube, unfolded, and on a dome. The zenith is at both centres, the
 // horizon at the rims, and the lines join points of equal height, 10 degrees apart. Drag the blue point along an edge
-// of the cube: its height, the number, is 45 degrees in the middle of the edge and 35.3 at its ends. The point on the
-// dome is in the same direction.
+// of the cube: the number, the point's height, is 45 degrees in the middle of the edge and 35.3 degrees at both ends.
+// The point on the dome is in the same direction.
 #include "figure.glsl"
 
-uniform vec2 point; // (-0.88, 0.4) handle: a point of the cube
+uniform vec2 point; // (-0.88, 0.4) handle: a point on the cube
 
 const vec2  LEFT = vec2(-0.88, 0.0), RIGHT = vec2(0.88, 0.0);
 const float HALF_SIDE = 0.4, RIM = 0.8; // half side of the cube; radius of the horizon
@@ -45,7 +45,7 @@ vec3 rayColour(Ray ray)
     if (left)
         stroke(sdRectangle(local, vec2(1.0)) * HALF_SIDE, 2.0, ORANGE);
 
-    // The point, held on the net, and its direction on the dome.
+    // The point, confined to the net, and the point in the same direction on the dome.
     vec2 at = clamp((point - LEFT) / HALF_SIDE, -2.0, 2.0);
     at = min(abs(at.x), abs(at.y)) > 1.0 ? clamp(at, -1.0, 1.0) : at;
     vec3 direction = cubeDirection(at);

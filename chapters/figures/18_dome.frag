@@ -1,7 +1,7 @@
 // The whole sky, twice: drag the sun in the left sky; beyond the rim it is below the horizon. The zenith is in the
-// centre, the horizon at the rim. On the left is the sky of this chapter, which takes the steep part out of its
-// tables; on the right two tables with complete colours are mixed, by the horizontal angle or by the dot product. The
-// number is the sun's height in degrees.
+// centre, the horizon at the rim. On the left is the sky of this chapter, whose tables do not contain the steep
+// dependence on the angle to the sun; on the right two tables with complete colours are mixed, by the horizontal angle
+// or by the dot product. The number is the sun's height in degrees.
 #include "figure.glsl"
 #include "lighting.glsl"
 #include "film.glsl"
@@ -28,7 +28,7 @@ vec3 skyDirection(vec2 local)
     return vec3(normalize(local + 1e-6) * sin(angle), cos(angle)).xzy;
 }
 
-// The light of a table with complete colours: that along the middle of its half of the sky.
+// The light of a table with complete colours: the light along the middle of the table's half of the sky.
 vec3 halfColour(sampler2D table, vec3 direction, vec3 toSun, float level)
 {
     float y = max(direction.y, 0.0), both = sqrt(max((1.0 - y * y) * (1.0 - toSun.y * toSun.y), 0.0));

@@ -1,17 +1,17 @@
-// The light of a ray: drag the sun down to the horizon and below it, and the end of the ray. Sunlight reaches
-// each point of the ray along a line, and the longer its path through the air, the more it has lost, blue first.
-// A dot is as large as the light that its point sends to the eye; the square has the colour of the sum. The
-// planet is small and its air is thick, so that both fit in the picture.
+// The light of a ray: drag the sun down to the horizon and below it, and the end of the ray. Sunlight reaches each
+// point of the ray along a line, and the longer its path through the air, the more it has lost, blue first. The more
+// light a point sends to the eye, the larger its dot is; the square has the colour of the sum. The planet is small and
+// its air is thick, so that both fit in the picture.
 #include "figure.glsl"
 #include "sky.glsl"
 
 uniform vec2 sun;   // (1.6, -0.66) handle: where the eye sees the sun
 uniform vec2 aim;   // (-0.25, 0.35) handle: where the ray points
-uniform bool ozone; // true: false takes the ozone out of the air
+uniform bool ozone; // true: the air contains ozone
 
 const vec2  CENTRE = vec2(0.0, -3.55), EYE = vec2(-0.75, -0.749);
 const float RADIUS = 2.9, TOP = 1.2; // radius of the planet; height at which the air ends
-const float THIN = 0.20;              // height in which the air thins by a factor of e
+const float THIN = 0.20;              // height over which the air thins by a factor of e
 const vec3  OZONE = vec3(0.20, 0.21, 0.01); // optical depth of the ozone overhead
 const float LAYER = RADIUS + 0.6;          // distance of the ozone from the centre
 
@@ -21,21 +21,21 @@ float sceneDistance(vec3 p)
 }
 
 // The optical depth of the air above a point at a distance r from the centre, in a direction whose height has this
-// sine. It is like airMass, but for air that thins out.
+// sine. The function is like airMass, but for air that thins out with height.
 vec3 depthUp(float r, float sine)
 {
     float e = 0.785 * r / THIN - 0.5, climb = e * sine;
     return 1.7 * RAYLEIGH * exp((RADIUS - r) / THIN) * (2.0 * e + 1.0) / (sqrt(climb * climb + 2.0 * e + 1.0) + climb);
 }
 
-// The share of the sun's light that reaches a point: none in the shadow of the planet.
+// The share of the sun's light that reaches a point. It is 0 in the shadow of the planet.
 vec3 sunlightAt(vec2 p, vec2 toSun)
 {
     float r = length(p - CENTRE), sine = dot(p - CENTRE, toSun) / r, lowest = r * sqrt(max(1.0 - sine * sine, 0.0));
     vec3 depth = depthUp(r, abs(sine));
     if (sine < 0.0)
         depth = 2.0 * depthUp(max(lowest, RADIUS), 0.0) - depth;
-    float across = sqrt(max(LAYER * LAYER - lowest * lowest, 0.1)) / LAYER; // sine of the angle between path and ozone
+    float across = sqrt(max(LAYER * LAYER - lowest * lowest, 0.1)) / LAYER; // sine of the angle between path and layer
     float crossings = 1.0 - clamp(8.0 * sine, -1.0, 1.0) * smoothstep(-0.15, 0.15, r - LAYER);
     depth += ozone ? OZONE * crossings / across * (1.0 - smoothstep(-0.1, 0.1, lowest - LAYER)) : vec3(0.0);
     return exp(-depth) * (sine > 0.0 ? 1.0 : smoothstep(0.0, 0.02, lowest - RADIUS));

@@ -1,15 +1,15 @@
-// Plaster and dust: drag the sun around the moon, which is seen from above on the left, with the eye far below.
-// The discs are what the eye sees: Lambert's law is used in the middle, and that of Lommel and Seeliger on the right;
-// each curve is the brightness across the disc. Drag the point to compare the two. At full moon, with the sun behind
-// the eye, the plaster is dark at its rim, and the dust is flat.
+// Plaster and dust: drag the sun around the moon, which is seen from above on the left, with the eye far below. The
+// discs are what the eye sees: Lambert's law is used in the middle, and that of Lommel and Seeliger on the right; each
+// curve is the brightness across the disc. Drag the point to compare the two. At full moon, with the sun behind the
+// eye, the plaster is dark at the rim of the disc, and the dust is equally bright everywhere.
 #include "figure.glsl"
 #include "lighting.glsl"
 
-uniform vec2 sun; // (-0.85, -0.75) handle: in the direction of the sun
-uniform vec2 at;  // (0.27, 0.45) handle: a point of the disc
+uniform vec2 sun; // (-0.85, -0.75) handle: direction of the sun
+uniform vec2 at;  // (0.27, 0.45) handle: a point on the disc
 
 const vec2  MOON = vec2(-1.2, 0.1);
-const float RADIUS = 0.42, LOW = -0.82, HIGH = 0.4; // of the plots: the lower end, and the height of the brightness 1
+const float RADIUS = 0.42, LOW = -0.82, HIGH = 0.4; // radius of a disc; lower end of a plot; height of the brightness 1
 
 float sceneDistance(vec3 p)
 {
@@ -23,7 +23,7 @@ float groundLight(vec2 q, vec3 toSun, bool dust)
     return dust ? 2.0 * sunlit / max(sunlit + m, 1e-3) : sunlit;
 }
 
-// A disc and the curve below it.
+// Draw a disc and the curve below it.
 void drawLaw(vec2 p, float x, vec3 toSun, bool dust, float chosen)
 {
     vec2 q = (p - vec2(x, 0.45)) / RADIUS;

@@ -1,6 +1,6 @@
-// The phases of the moon: drag the moon around the Earth, and the sun around both. They are seen from above the
-// pole; the sun is so far away that its light comes along parallel lines. On the right is the moon as the eye sees
-// it. The number is the lit share of its disc in percent.
+// The phases of the moon: drag the moon around the Earth, and the sun around both. They are seen from above the pole;
+// the sun is so far away that its light comes along parallel lines. On the right is the moon as the eye sees it. The
+// numbers are the phase angle in degrees (teal), and the lit share of the disc in percent.
 #include "figure.glsl"
 #include "lighting.glsl"
 #include "night.glsl"
@@ -8,7 +8,7 @@
 uniform sampler2D moonMap; // "moon.png" linear clamp: brightness and slopes of the moon's ground
 
 uniform vec2 moon; // (-0.93, -0.45) handle: the moon
-uniform vec2 sun;  // (-1.62, 0.0) handle: in the direction of the sun
+uniform vec2 sun;  // (-1.62, 0.0) handle: direction of the sun
 
 const vec2  EARTH = vec2(-0.72, 0.0), SEEN = vec2(0.98, 0.04);
 const float DISC = 0.6;
@@ -18,7 +18,7 @@ float sceneDistance(vec3 p)
     return min(sdCircle(p.xy - EARTH, 0.16), sdCircle(p.xy - moon, 0.09));
 }
 
-// A ball, half of which is lit by the sun.
+// Draw a ball, half of which is lit by the sun.
 void drawBall(vec2 p, vec2 centre, float radius, vec2 toSun, vec3 day, vec3 edge)
 {
     float d = sdCircle(p - centre, radius);
@@ -45,7 +45,7 @@ vec3 rayColour(Ray ray)
     float arc = sdArc(vec2(dot(q, vec2(middle.y, -middle.x)), dot(q, middle)), 0.19, max(half_, 0.01));
     fill(arc - 0.5 * penWidth(2.0), TEAL, 1.0);
     number(p, moon - 0.19 * middle, degrees(2.0 * half_), 0, TEAL);
-    // The disc: its right side is on the right of an eye on the Earth, and the sun is in the plane of the picture.
+    // The disc: its right side is on the right for an eye on the Earth, and the sun is in the plane of the picture.
     vec2 point = (p - SEEN) / DISC;
     vec3 inFrame = vec3(side, 0.0, cosine);
     vec3 face = moonFace(moonMap, point, sheetPixel() / DISC, inFrame, 1.5) * exp(1.2 * half_);

@@ -1,21 +1,21 @@
-// A star and the pixels: drag the star, and change the radius of its spot. Each pixel takes one sample, at its
-// centre; the number in it is the share of the star's light that it shows, in percent. The curve is the sum of
-// all pixels, in percent, as the star moves to the right by four pixels: if the curve is flat, stars do not flicker.
+// A star and the pixels: drag the star, and change the radius of its spot. Each pixel takes one sample, at its centre;
+// the number in a pixel is the share of the star's light that the pixel shows, in percent. The curve is the sum of all
+// pixels, in percent, as the star moves to the right by four pixels: if the curve is flat, stars do not flicker.
 #include "figure.glsl"
 
 uniform vec2  star;   // (-0.66, 0.06) handle: the star
-uniform float radius; // 1.761 in [0.3, 2.4] step 0.05, pixels: of the spot
+uniform float radius; // 1.761 in [0.3, 2.4] step 0.05, pixels: radius of the spot
 
-const float SIDE = 0.24;                                     // of a pixel on the sheet
+const float SIDE = 0.24;                                     // side of a pixel on the sheet
 const vec2  CORNER = vec2(-1.68, -0.84);                     // lower left corner of the 8 x 7 pixels
-const vec2  LOW = vec2(0.62, -0.6), HIGH = vec2(1.6, 0.6); // of the plot: sums from 0 to 200 %
+const vec2  LOW = vec2(0.62, -0.6), HIGH = vec2(1.6, 0.6); // corners of the plot: sums from 0 to 200 %
 
 float sceneDistance(vec3 p)
 {
     return p.z;
 }
 
-// The light of a star at this distance: its integral over the plane is 1.
+// The light of a star at an offset from its centre, in pixels. The integral over the plane is 1.
 float spotLight(vec2 away)
 {
     float inside = max(1.0 - dot(away, away) / (radius * radius), 0.0);

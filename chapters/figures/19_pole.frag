@@ -1,15 +1,15 @@
-// The sky at a latitude: drag the observer (blue) along the Earth, and the star (orange), which is so far away
-// that it is seen in the same direction from the Earth's centre and from the observer. On the right is the
-// whole sky from there, with the zenith in the centre, north at the top, and the trails of the stars in an hour and a
-// half. The pole (green) is as high as the latitude. The numbers are the latitude, and the star's height when it is due
-// south or north of the zenith, in degrees.
+// The sky at a latitude: drag the observer (black) along the Earth, and the star (orange), which is so far away that it
+// is seen in the same direction from the Earth's centre and from the observer. On the right is the whole sky above the
+// observer, with the zenith in the centre, north at the top, and the trails of the stars in an hour and a half. The
+// pole (green) is as high as the latitude. The numbers are the latitude, and the star's height when it is due south or
+// north of the zenith, in degrees.
 #include "figure.glsl"
 #include "night.glsl"
 #include "repetition.glsl"
 
-uniform vec2  observer; // (-0.62, 0.32) handle: where somebody looks up
-uniform vec2  star;     // (-0.12, 0.12) handle: in the direction of the star
-uniform float hour;     // 22 in [12, 36] step 0.1, hours: time, after noon
+uniform vec2  observer; // (-0.62, 0.32) handle: position of the observer
+uniform vec2  star;     // (-0.12, 0.12) handle: direction of the star
+uniform float hour;     // 22 in [12, 36] step 0.1, hours: solar time; from 24 on it is the next day
 
 const vec2  EARTH = vec2(-1.02, -0.06), SKY_AT = vec2(0.88, 0.0);
 const float RADIUS = 0.5, RIM = 0.82;
@@ -19,7 +19,8 @@ float sceneDistance(vec3 p)
     return sdCircle(p.xy - EARTH, RADIUS);
 }
 
-// Where a direction is in the round sky, and the inverse: equal angles are equal lengths. West is on the right.
+// The position of a direction in the round sky, and the inverse: equal angles become equal lengths. West is on the
+// right.
 vec2 inSky(vec3 d)
 {
     return SKY_AT + RIM * atan(length(d.xz), d.y) / 1.5707963 * normalize(vec2(-d.z, d.x) + 1e-6);
@@ -39,7 +40,7 @@ vec3 rayColour(Ray ray)
     vec2 up = vec2(cos(radians(latitude)), sin(radians(latitude))), north = vec2(-up.y, up.x);
     vec2 toStar = vec2(cos(radians(declination)), sin(radians(declination))), at = EARTH + RADIUS * up;
 
-    // The sky of the observer: trails, one in each cell of declination and hour angle, and the star's own circle.
+    // The sky of the observer: trails, one in each cell of declination and hour angle, and the circle of the star.
     mat3 turn = skyTurn(hour, latitude);
     vec2 point = p - SKY_AT;
     vec3 d = turn * skyDirection(point);

@@ -1,16 +1,16 @@
 // A march through a cloud: drag the ray's start and end, and the lamp; change the density and the number of steps.
-// Below, over the distance along the ray, are the share of light that is still transmitted (blue), the share that each
-// step hides (grey), and the part of this share that the lamp lights (orange). The numbers are the cover C, and the
-// share A of the lamp's light, both in percent.
+// Plotted below, against the distance along the ray, are the share of light that is still transmitted (blue), the share
+// that each step hides (grey), and the part of this share that the lamp lights (orange). The numbers are the cover C,
+// and the share A of the lamp's light, both in percent.
 #include "figure.glsl"
 
 uniform vec2  eye;     // (-1.6, 0.2) handle: where the ray starts
 uniform vec2  aim;     // (-0.2, 0.33) handle: where the ray points
-uniform vec2  lamp;    // (0.25, 0.85) handle: in the direction of the lamp
-uniform float density; // 6 in [0, 30] step 0.5, per unit: of the vapour inside
+uniform vec2  lamp;    // (0.25, 0.85) handle: direction of the lamp
+uniform float density; // 6 in [0, 30] step 0.5, per unit: density of the vapour inside the cloud
 uniform int   steps;   // 20 in [2, 40]: steps along the ray
 
-const float LENGTH = 3.2, LOW = -0.85, HIGH = 0.55; // of the ray; of the plot: its lower end, and the height of 1
+const float LENGTH = 3.2, LOW = -0.85, HIGH = 0.55; // length of the ray; lower end of the plot, and height of 1
 
 // A heap of balls on a flat base.
 float sceneDistance(vec3 p)
@@ -41,7 +41,7 @@ vec3 rayColour(Ray ray)
     fill(sceneDistance(vec3(p, 0.0)), mix(PALE, mix(SKY, vec3(1.0), 0.6), lit), share);
     stroke(sceneDistance(vec3(p, 0.0)), 1.5, BLUE);
     float piece = LENGTH / float(steps), left = 1.0, above = 0.0, along = dot(p - eye, direction), there = 1.0, spot = 1e6;
-    vec4 bar = vec4(0.0); // of the step at this x: light before and after it, hidden share, the lit part of that
+    vec4 bar = vec4(0.0); // the step at this x: light before and after it, hidden share, lit part of this share
     for (int i = 0; i < steps; i++) {
         float t = (float(i) + 0.5) * piece;
         vec2 at = eye + t * direction;
@@ -52,7 +52,7 @@ vec3 rayColour(Ray ray)
         there = along > t ? left : there;
         spot = min(spot, length(p - at));
     }
-    float inStep = fract((p.x + 1.6) / piece), bars = HIGH * 0.2 / piece; // hidden in 0.2 units
+    float inStep = fract((p.x + 1.6) / piece), bars = HIGH * 0.2 / piece; // bars show the share hidden per 0.2 units
     float beside = piece * (abs(inStep - 0.5) - 0.5) + 0.003, now = LOW + HIGH * mix(bar.x, bar.y, inStep);
     fill(max(beside, max(LOW - p.y, p.y - LOW - bars * bar.z)), PALE, 1.0);
     fill(max(beside, max(LOW - p.y, p.y - LOW - bars * bar.w)), ORANGE, 1.0);

@@ -16,14 +16,14 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// The height over the round ground: |(x, R + y)| - R, without the difference of two large numbers.
+// The height above the round ground: |(x, R + y)| - R, without the difference of two large numbers.
 float heightAt(vec2 km)
 {
     float more = dot(km, km) + 2.0 * EARTH_RADIUS * km.y;
     return more / (sqrt(EARTH_RADIUS * EARTH_RADIUS + more) + EARTH_RADIUS);
 }
 
-// Where a ray meets the layer. climb is the sine of the height to which the ray points.
+// Where a ray meets the layer. climb is the sine of the ray's elevation.
 vec2 onLayer(float climb, float altitude)
 {
     return EYE + KM * layerHit(0.0, climb, altitude) * vec2(sqrt(1.0 - climb * climb), climb);
@@ -33,7 +33,8 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), km = (p - EYE) / KM, to = max((aim - EYE) / KM, vec2(0.1, 0.0));
     float altitude = max((layer.y - EYE.y) / KM.y, 0.1), height = heightAt(km), climb = to.y / length(to);
-    float slope = inversesqrt(1.0 + pow(km.x / EARTH_RADIUS * KM.y / KM.x, 2.0)) * KM.y; // of a height on the sheet
+    // Converts a difference in height, in km, to a distance on the sheet.
+    float slope = inversesqrt(1.0 + pow(km.x / EARTH_RADIUS * KM.y / KM.x, 2.0)) * KM.y;
 
     // Clouds with a flat base, on the layer.
     float cell = floor(km.x / 5.0), lot = cellRandom(ivec3(int(cell), 3, 20)), across = 2.0 * fract(km.x / 5.0) - 1.0;
@@ -44,7 +45,7 @@ vec3 rayColour(Ray ray)
     dashes(p, vec2(-1.78, EYE.y + KM.y * altitude), vec2(1.78, EYE.y + KM.y * altitude), 1.5, ORANGE);
     stroke((height - altitude) * slope, 2.0, BLUE);
 
-    // The piece that a pixel covers, and the ray.
+    // The piece of the layer that a pixel covers, and the ray.
     vec2 hit = onLayer(climb, altitude), near = onLayer(climb + 0.5 * PIXEL, altitude), far = onLayer(climb - 0.5 * PIXEL, altitude);
     float within = max(near.x - p.x, p.x - far.x);
     fill(max(abs((height - altitude) * slope) - 0.5 * penWidth(7.0), within), TEAL, 1.0);

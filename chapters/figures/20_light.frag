@@ -1,7 +1,8 @@
 // Clouds in the light: drag the sun in the small disc, which shows the sky with the zenith in its centre and the view
-// at its top; beyond its rim, the sun is below the horizon. Drag the point over the clouds. The bars are its light:
-// as wide as the squared components of the direction to the sun, sideways (orange), upwards (green) and ahead (blue),
-// and as high as the shares of the sun's light from there. The number is their total area plus the silver lining.
+// at its top; beyond its rim, the sun is below the horizon. Drag the point over the clouds. The bars show the light of
+// this point: their widths are the squared components of the direction to the sun, sideways (orange), upwards (green)
+// and ahead (blue), and their heights are the shares of the sun's light that arrive from there. The number is the total
+// area of the bars plus the silver lining.
 #include "figure.glsl"
 #include "lighting.glsl"
 #include "film.glsl"
@@ -13,18 +14,18 @@ uniform sampler2D away;       // "sky_away.png" sRGB clamp: the sky on the other
 uniform sampler2D cloudsFair; // "clouds_fair.png" linear repeat: panorama of fair weather
 
 uniform vec2  sun;    // (-1.59, -0.71) handle: the sun, in the small disc
-uniform vec2  at;     // (0.55, -0.08) handle: a point of the clouds
+uniform vec2  at;     // (0.55, -0.08) handle: a point on the clouds
 uniform float turned; // 0.4 in [-1, 1] step 0.02, turns: position of the panorama
 
 const vec2  DISC = vec2(-1.35, -0.64);
-const float RIM = 0.28, SILL = -0.3; // of the disc; lower end of the view, the horizon
+const float RIM = 0.28, SILL = -0.3; // radius of the disc; lower end of the view, the horizon
 
 float sceneDistance(vec3 p)
 {
     return p.z;
 }
 
-// The direction of a point of the view: 62 degrees to both sides, 45 upwards.
+// The direction of a point of the view, which extends 62 degrees to either side and 45 degrees upwards.
 vec3 viewDirection(vec2 p)
 {
     float height = 0.6 * (p.y - SILL);

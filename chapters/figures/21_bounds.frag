@@ -1,8 +1,8 @@
 // How high the land ahead can be: drag the start of a level ray over the mountain. The line for the hills alone
-// (orange) begins highest and rises least; the curves for one octave (black), two (green) and all of them (blue)
-// begin lower and rise faster. No curve is ever below the land. Each proved step ends where the ray meets the curve of
-// the same colour; the longest step counts, and has a ring. At the bottom are the steps in units of 100 metres. The
-// sheet is one such unit wide and five high.
+// (orange) begins highest and rises least; the curves for one octave (black), two octaves (green) and all octaves
+// (blue) begin lower and rise faster. No curve is ever below the land. Each proved step ends where the ray meets the
+// curve of the same colour; the longest step counts, and has a ring. At the bottom are the steps in units of 100
+// metres. The sheet is about one such unit wide and five high.
 #include "figure.glsl"
 #include "valley.glsl"
 
@@ -10,14 +10,15 @@ uniform vec2 start; // (-1.3, -0.06) handle: where the ray starts
 
 const vec2  UNITS = vec2(0.3, 2.4);     // scene units in a unit of the sheet
 const vec2  ORIGIN = vec2(36.42, 8.55);  // distance ahead and height in the centre of the sheet
-const float ASIDE = -1.979;             // where the cut is: under the pixel 300,240
+const float ASIDE = -1.979;             // how far to the right of the eye the cut is: under the pixel 300,240
 
 float sceneDistance(vec3 p)
 {
     return p.z;
 }
 
-// The highest ground with the first octaves, at a position: height (x), bound of its slope (y), growth of that (z).
+// The highest ground that the first octaves allow at a position: height (x), bound of its slope (y), growth of this
+// bound (z).
 vec3 highestGround(float ahead, int count)
 {
     vec2 q = vec2(ASIDE, ahead), x = CELLS * q + SEED;
@@ -41,8 +42,8 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), q = ORIGIN + UNITS * p, from = ORIGIN + UNITS * start;
     vec4 land = landAt(vec2(ASIDE, q.x), float(octaves));
-    float base = hills(vec2(ASIDE, from.x)).x, s = q.x - from.x, flatter = UNITS.x / UNITS.y; // slopes on the sheet
-    vec4 steps = vec4((hillsUnder(from.y) - base) / HILL_SLOPE, 0.0, 0.0, 0.0); // the proved ones
+    float base = hills(vec2(ASIDE, from.x)).x, s = q.x - from.x, flatter = UNITS.x / UNITS.y; // for slopes on the sheet
+    vec4 steps = vec4((hillsUnder(from.y) - base) / HILL_SLOPE, 0.0, 0.0, 0.0); // the proved steps
     float above = (q.y - land.x) / UNITS.y * inversesqrt(1.0 + land.z * land.z * flatter * flatter);
     fill(above, SAND, 1.0);
     stroke(above, 2.0, ORANGE);

@@ -1,22 +1,22 @@
-// A march over the mountain of this chapter, cut upright: drag the eye and the end of the ray, and choose the
-// bound. 0 is one slope for all the land; 1 is a slope for each position, and its balls are empty; 2 is the same only
-// for this ray, with longer steps, and its balls are free of land only along the ray. The number counts the steps,
-// at most 60. From left to right are 5 km.
+// A march over the mountain of this chapter, in a vertical cut: drag the eye and the end of the ray, and choose the
+// bound. Bound 0 is one slope for all the land. Bound 1 is a slope for each position; its balls are empty. Bound 2 is a
+// slope for each position and only for this ray; its steps are longer, and its balls are free of land only along the
+// ray. The number is that of the steps, at most 60. The sheet is 5 km wide.
 #include "figure.glsl"
 #include "land.glsl"
 
 uniform vec2 eye;     // (-1.55, 0.55) handle: where the ray starts
 uniform vec2 aim;     // (0.3, 0.13) handle: where the ray points
-uniform int  bound;   // 1 in [0, 2]: slope 0 one for all the land, 1 by position, 2 by position, for this ray
-uniform int  octaves; // 2 in [1, 4]: of the ridges
+uniform int  bound;   // 1 in [0, 2]: slope: 0 one for all the land, 1 by position, 2 by position and only for this ray
+uniform int  octaves; // 2 in [1, 4]: number of octaves of the ridges
 
 const float UNITS = 14.5, ASIDE = -2.0;                    // scene units in a unit of the sheet; where the cut is
-const vec2  ORIGIN = vec2(-1.72, -0.6);                    // of the scene, on the sheet
-const float FOOT = 0.4, RIDGES = 3.6, HILL_SLOPE = 0.45;   // of the ridges and the hill, as in valley.glsl
-const float CELLS = 0.08, GAIN = 0.42, LACUNARITY = 2.1;   // of the octaves, as in valley.glsl
+const vec2  ORIGIN = vec2(-1.72, -0.6);                    // origin of the scene, on the sheet
+const float FOOT = 0.4, RIDGES = 3.6, HILL_SLOPE = 0.45;   // constants of the ridges and the hill, as in valley.glsl
+const float CELLS = 0.08, GAIN = 0.42, LACUNARITY = 2.1;   // constants of the octaves, as in valley.glsl
 const float STEEPEST = 14.8;                               // the largest slope of the land
-float ownSlope = 0.65;                                     // of the ray; 0.65 serves for all directions
-float overLand = 0.0;                                      // the gap at the last point of landBound
+float ownSlope = 0.65;                                     // slope of the ray; 0.65 is valid for all directions
+float overLand = 0.0;                                      // gap above the land at the last point given to landBound
 
 // The hill and its ridges: a lower bound of the distance, like landDistance in valley.glsl.
 float landBound(vec2 q)
@@ -55,7 +55,7 @@ vec3 rayColour(Ray ray)
     dashes(p, eye, eye + 6.0 * direction, 1.0, PALE);
     int steps = drawMarch(p, eye, direction, 4.0, 0.007, 60, t);
 
-    // The land, by its height and slope at this position, and the lake.
+    // The land, drawn using its height and slope at this position, and the lake.
     vec2 q = UNITS * (p - ORIGIN);
     landBound(q);
     float height = q.y - overLand;

@@ -1,7 +1,7 @@
 // The mirrored world: drag the eye and the end of the ray, and tilt the wave. The march goes straight on through the
-// water into the mirrored mountain. Each of its points there (black) represents a point on the mirrored ray (blue)
-// equally far from the water, whose distance to the land counts. The green line is the ray that level water would
-// mirror.
+// water into the mirrored mountain. Each point of the march there (black) represents a point on the mirrored ray
+// (blue), equally far from where the ray meets the water; the distance from that point to the land counts. The green
+// line is the ray as level water would mirror it.
 #include "figure.glsl"
 #include "valley.glsl"
 
@@ -9,7 +9,7 @@ uniform vec2  eye;  // (-1.6, 0.3) handle: the eye
 uniform vec2  aim;  // (-0.55, 0.0) handle: where the ray points
 uniform float tilt; // 0.04 in [-0.2, 0.2] step 0.01: slope of the water where the ray meets it
 
-// The mountain: an exact distance.
+// The exact distance to the mountain.
 float mountain(vec2 p)
 {
     vec2 corner[POLYGON_CORNERS];

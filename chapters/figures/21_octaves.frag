@@ -1,20 +1,20 @@
-// What a pixel leaves out: drag the right end of the pixel. Below is the land of this chapter with all its octaves
-// as a line, and in colour with the octaves that fit this pixel; above are the cells of each octave, the coarsest
-// at the top, and those that fit are green. The numbers are the width of the pixel in units of 100 metres, and how
-// many octaves fit it.
+// What a pixel leaves out: drag the right end of the pixel. Below is the land of this chapter, with all octaves as a
+// line, and with the octaves that fit this pixel in colour; above are the cells of each octave, the coarsest at the
+// top, and those that fit are green. The numbers are the width of the pixel in units of 100 metres, and the number of
+// octaves that fit the pixel.
 #include "figure.glsl"
 #include "valley.glsl"
 
 uniform vec2 pixel; // (-1.33, 0.3) handle: the right end of the pixel
 
-const float LEFT = -1.6, UNITS = 4.0, ALL = 8.0; // of the pixel; scene units in a unit of the sheet; octaves drawn
+const float LEFT = -1.6, UNITS = 4.0, ALL = 8.0; // left end of the pixel; scene units per sheet unit; octaves drawn
 
 float sceneDistance(vec3 p)
 {
     return p.z;
 }
 
-// The distance on the sheet to the land with some octaves, drawn at three fifths of its height.
+// The distance, on the sheet, to the land with count octaves, drawn at three fifths of its height.
 float landAbove(vec2 p, float count)
 {
     vec4 land = landAt(vec2(1.0 + UNITS * p.x, 41.0), count);

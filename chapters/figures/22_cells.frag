@@ -1,6 +1,6 @@
 // A march from cell to cell: drag the eye and the aim. A cell with no part nearby has an empty list, and a ray crosses
-// it in one step. In the others a step ends at the face of the cell at the latest. At the top left are the number of
-// parts that the march evaluates and, in orange, the number for a march that evaluates all parts at every step.
+// it in one step. In the other cells, a step ends at the face of the cell at the latest. At the top left are the number
+// of parts that the march evaluates and, in orange, the number for a march that evaluates all parts at every step.
 #include "figure.glsl"
 
 uniform vec2  eye;  // (-1.6, 0.45) handle: where the ray starts

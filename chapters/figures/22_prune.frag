@@ -1,10 +1,10 @@
-// Which parts matter in a cell: drag the cell. The circle through its corners has the radius r. A part farther from the
-// centre than the nearest by more than the blend plus 2 r cannot change the distance anywhere in the circle, and is
-// drawn pale. The other parts are in the list; the number at the top left counts them.
+// Which parts matter in a cell: drag the cell. The circle through its corners has the radius r. A part that is farther
+// from the centre than the nearest part by more than the blend plus 2 r cannot change the distance anywhere in the
+// circle, and is drawn pale. The other parts are in the list; the number at the top left counts them.
 #include "figure.glsl"
 
 uniform vec2  cell;  // (-0.35, 0.15) handle: the centre of the cell
-uniform float side;  // 0.3 in [0.05, 1] step 0.05: its side
+uniform float side;  // 0.3 in [0.05, 1] step 0.05: side of the cell
 uniform float blend; // 0.12 in [0.01, 0.5] step 0.01: width of the blend
 
 const int COUNT = 14;

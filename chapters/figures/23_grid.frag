@@ -1,4 +1,4 @@
-// A stored distance: drag the disc and the plate. The orange outline is the true one. On the blue one, the distance
+// A stored distance: drag the disc and the plate. The orange outline is the true one. On the blue outline, the distance
 // interpolated between the dots is 0.
 #include "figure.glsl"
 

@@ -1,5 +1,5 @@
-// The sign at a corner: drag the tip of the triangle and the point. In the orange region the tip is the nearest point
-// and the normal of one edge says inside, although the point is outside. The teal arrow is the sum of both normals.
+// The sign at a corner: drag the tip of the triangle and the point. In the orange region the tip is the nearest point,
+// and the normal of one edge says inside although the region is outside. The teal arrow is the sum of both normals.
 #include "figure.glsl"
 
 uniform vec2 tip;   // (0.35, 0.1) handle: the corner of the triangle
@@ -18,7 +18,7 @@ vec2 edgeNormal(vec2 a, vec2 b)
     return normalize(vec2(b.y - a.y, a.x - b.x) + 1e-9);
 }
 
-// Whether the tip is the nearest point of both edges that meet at it.
+// Whether the tip is the point nearest to p on both edges that meet at the tip.
 bool nearTip(vec2 p)
 {
     return dot(p - tip, LOW - tip) <= 0.0 && dot(p - tip, HIGH - tip) <= 0.0;

@@ -1,7 +1,7 @@
 #version 330 core
-// Solution to exercise 1 of chapter 00: a snowman. A scene is a min() of distances: three balls of
-// snow, two of coal, and the ground. The march may take 512 steps, because rays that pass close to
-// the snow or the ground need more than 128.
+// Solution to exercise 1 of chapter 00: a snowman. The scene is the min() of several distances:
+// those to three balls of snow, two of coal, and the ground. The march may take 512 steps, because
+// rays that pass close to the snow or the ground need more than 128.
 
 in vec2 FragCoord;  // the pixel's position: y from -1 to 1, x from -aspect to aspect
 in float Time;      // seconds

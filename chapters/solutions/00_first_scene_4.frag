@@ -1,6 +1,6 @@
 #version 330 core
 // Solution to exercise 4 of chapter 00: the cost of each pixel. The march returns the number of
-// steps; black is 0, white is 64 or more.
+// steps; black is 0 steps, and white is 64 or more.
 
 in vec2 FragCoord;  // the pixel's position: y from -1 to 1, x from -aspect to aspect
 in float Time;      // seconds
@@ -48,7 +48,7 @@ int marchSteps(vec3 origin, vec3 direction)
     return steps;
 }
 
-// 3. The colour: float() and 64.0 are needed, because steps / 64 divides integers.
+// 3. The colour: float() and 64.0 are needed, because steps / 64 would be an integer division.
 
 vec3 rayColour(vec3 origin, vec3 direction)
 {

@@ -1,15 +1,14 @@
 // Solution to exercise 01.1: a torus instead of the orbit of balls.
 //
-// The chapter's own sceneDistance gets another name; everything else is the chapter's.
+// The chapter's sceneDistance is renamed; everything else is as in the chapter.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "01_normal_colouring.frag"
 #undef sceneDistance
 
-// The signed distance to the points within a given distance of a horizontal circle, exact
-// everywhere.
+// The signed distance of a torus around the y axis, exact everywhere.
 //   p         point, scene units
-//   radius    of the circle, > 0, scene units
+//   radius    from the centre to the middle of the tube, > 0, scene units
 //   thickness radius of the tube, in (0, radius], scene units
 //   formula   |(|(x, z)| - radius, y)| - thickness
 float sdTorus(vec3 p, float radius, float thickness)

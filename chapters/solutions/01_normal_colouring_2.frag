@@ -1,6 +1,6 @@
-// Solution to exercise 01.2: the frame with rounded edges, of the same outer size.
+// Solution to exercise 01.2: the frame has rounded edges and the same outer size.
 //
-// The chapter's own sceneDistance gets another name; everything else is the chapter's.
+// The chapter's sceneDistance is renamed; everything else is as in the chapter.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "01_normal_colouring.frag"

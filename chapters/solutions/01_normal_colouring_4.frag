@@ -1,15 +1,16 @@
 // Solution to exercise 01.4: the normal from four evaluations at the corners of a tetrahedron.
 //
-// The chapter's own rayColour gets another name and is not used; everything else is the chapter's.
+// The chapter's rayColour is renamed and not used; everything else is as in the chapter.
 #include "main.glsl"
 #define rayColour chapterColour
 #include "01_normal_colouring.frag"
 #undef rayColour
 
-// The gradient from four corners of a cube, normalised.
+// The normalised gradient from four corners of a cube.
 //   p, h     as for normalAt
 //   formula  normalize(sum of k f(p + h k)), k = (1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1);
-//            error O(h) of the formula: h (H_yz, H_xz, H_xy), where H contains the second derivatives
+//            the sum is 4 h times the gradient, which has an error of h (H_yz, H_xz, H_xy) + O(h^2),
+//            where H contains the second derivatives
 vec3 tetrahedronNormal(vec3 p, float h)
 {
     vec3 gradient = vec3(0.0);

@@ -1,6 +1,7 @@
-// Solution to exercise 01.5: a fisheye. The distance on the screen is proportional to the angle.
+// Solution to exercise 01.5: a fisheye lens. The distance from the centre of the screen is
+// proportional to the angle from the view direction.
 //
-// The chapter's own pixelRay gets another name and is not used; everything else is the chapter's.
+// The chapter's pixelRay is renamed and not used; everything else is as in the chapter.
 #include "main.glsl"
 #define pixelRay chapterRay
 #include "01_normal_colouring.frag"

@@ -1,5 +1,5 @@
 // Solution to exercise 02.1: a third, green lamp above the left side of the stage. Its light is
-// added.
+// added to that of the other two lamps.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "02_lighting.frag"

@@ -1,11 +1,11 @@
-// Solution to exercise 02.3: ambient light that comes only from the upper half of the sky. A
-// surface that leans away from the zenith receives less of it: the share (1 + N.y) / 2.
+// Solution to exercise 02.3: ambient light that comes only from above the horizon. A surface that
+// is tilted away from the zenith receives less of this light: the fraction (1 + N.y) / 2.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "02_lighting.frag"
 #undef rayColour
 
-uniform vec3 skyAbove; // 0.12, 0.2, 0.35 in [0, 1], linear RGB: the ambient light of an upward face
+uniform vec3 skyAbove; // 0.12, 0.2, 0.35 in [0, 1], linear RGB: the ambient light on an upward face
 
 vec3 rayColour(Ray ray)
 {

@@ -6,7 +6,7 @@
 
 uniform bool linearMean; // true: average linear light; false: average encoded light, as --samples does
 
-// The light that one ray finds: linear, and no more than the screen can show.
+// The linear light that one ray finds, clamped to the range that the screen can show.
 vec3 linearColour(Ray ray)
 {
     Hit hit = march(ray, 0.0, FAR, hitThreshold, maxSteps);

@@ -1,5 +1,5 @@
 // Solution to exercise 03.2: the offset of the shadow ray points towards the light instead of along
-// the normal. At grazing angles the start is then too close to the surface, which gives acne.
+// the normal. At grazing angles, the start is then too close to the surface, which causes acne.
 //
 // The macro turns the chapter's call to shadowRay into a call to startAlongLight.
 #include "main.glsl"

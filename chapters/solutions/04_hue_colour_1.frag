@@ -1,4 +1,4 @@
-// Solution to exercise 04.1: the results of hsvToRGB are read as encoded numbers and decoded to
+// Solution to exercise 04.1: the results of hsvToRGB are read as encoded values and decoded to
 // linear light. A channel between 0 and 1 becomes smaller, so amber turns orange.
 //
 // A macro replaces every hsvToRGB of the chapter with paintedHSV.

@@ -1,8 +1,8 @@
 // Solution to exercise 04.2: a subtraction with rounded edges. It is the complement of the smooth
 // union of b and the outside of a. The groove of the stage is rounded too.
 //
-// Macros replace every opSubtraction of the chapter with smoothSubtraction, and the sharp share
-// with a smooth one.
+// Macros replace every opSubtraction of the chapter with smoothSubtraction, and every step() with
+// softStep(), which makes the share of the ball smooth.
 #include "main.glsl"
 #include "combine.glsl"
 

@@ -1,7 +1,8 @@
 // Solution to exercise 04.4: a lens, the intersection of two equal balls, in the middle of the
 // wheel, with its exact distance or with the bound max(a, b).
 //
-// The file defines sceneDistance, colourAt and rayColour itself, because the middle is different.
+// This file replaces the chapter's sceneDistance, colourAt and rayColour, because the solid in the
+// middle is different.
 #include "main.glsl"
 #define sceneDistance wheelScene
 #define colourAt wheelColourAt

@@ -1,5 +1,6 @@
-// Solution to exercise 05.2: the ball is a lens, flattened along its own axis by a linear map. The
-// code contains the inverse M of this map, and divides the distance by the largest stretch of M.
+// Solution to exercise 05.2: the ball is a lens, flattened along one of its axes by a linear map.
+// The code applies the inverse M of this map to the point, and divides the distance by the largest
+// stretch of M.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "05_transforms.frag"

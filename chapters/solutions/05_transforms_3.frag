@@ -1,5 +1,5 @@
-// Solution to exercise 05.3: the ball has bumps. It is displaced by a product of three sines, whose
-// slope is at most bumpHeight times fineness.
+// Solution to exercise 05.3: the ball has bumps. It is displaced by bumpHeight times a product of
+// three sines; the slope of this displacement is at most bumpHeight times fineness.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "05_transforms.frag"

@@ -1,7 +1,7 @@
 // Solution to exercise 05.4: a bound for one ray. Along a direction D, the height above the water
 // falls by at most |D.y| + slope |(D.x, D.z)| per scene unit. For a ray that grazes the sea, this
 // is less than sqrt(1 + slope^2), so the steps are longer but still safe. Only the direction of the
-// first march is known here.
+// first march's ray is known here.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #define pixelRay chapterPixelRay
@@ -11,7 +11,7 @@
 
 uniform bool directed; // true: use the bound for the ray instead of the bound for every direction
 
-float fall; // bound of the fall of the height above the water, per unit of the first march's ray
+float fall; // how fast the height above the water can fall, per unit of the first march's ray
 
 Ray pixelRay(vec2 screen)
 {

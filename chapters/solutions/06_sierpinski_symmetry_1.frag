@@ -1,8 +1,8 @@
 // Solution to exercise 06.1: the Sierpinski triangle in the plane. Two folds per level give three
 // copies.
 //
-// The experiment draws the triangle. A macro renames the experiment's own sceneDistance, which
-// draws a letter.
+// The experiment draws the triangle. A macro renames the experiment's sceneDistance, which is the
+// distance to a letter.
 #include "main.glsl"
 #define sceneDistance letterDistance
 #include "experiments/06_fold.frag"
@@ -12,14 +12,15 @@ uniform int levels; // 6 in [0, 12]: how often each triangle is divided into thr
 
 const float RADIUS = 1.7; // from the centre to a corner, units
 
-// The distance to the triangle, computed from its three lines: exact inside, between d / 2 and d
-// outside.
+// The distance to the triangle, computed from its three lines. If d is the true distance, the
+// result is d inside and between d / 2 and d outside.
 float sdTriangleLines(vec3 p, float radius)
 {
     return max(0.8660254 * abs(p.x) + 0.5 * p.y, -p.y) - 0.5 * radius;
 }
 
-// The mirrors are halfway between the upper corner, from which q is measured, and the other two.
+// The mirrors are halfway between the upper corner, from which q is measured, and the other two
+// corners.
 float sceneDistance(vec3 p)
 {
     vec3 q = p - vec3(0.0, RADIUS - 0.35, 0.0);

@@ -1,13 +1,13 @@
 // Solution to exercise 06.2: 6^m octahedra. Three folds bring a point to the octant where all
-// coordinates are positive, and two more to the side of the corner (1, 0, 0).
+// coordinates are positive, and two more bring it to the side of the corner (1, 0, 0).
 //
 // Macros replace the chapter's calls to the library with calls to the functions here.
 #include "main.glsl"
 #include "symmetry.glsl"
 #include "bounds.glsl"
 
-// The octahedron with its corners on the axes, at the distance size from the centre: exact inside,
-// between d / sqrt(3) and d outside.
+// The octahedron with its corners on the axes, at the distance size from the centre. If d is the
+// true distance, the result is d inside and between d / sqrt(3) and d outside.
 float sdOctahedronPlanes(vec3 p, float size)
 {
     p = abs(p);

@@ -1,5 +1,5 @@
 // Solution to exercise 06.4: no more levels than the eye can distinguish. A tetrahedron is divided
-// while its edge, as seen from the eye, is longer than the parameter detail, in half pixels.
+// while its edge, as seen from the eye, is longer than the parameter `detail`, in half pixels.
 //
 // A macro replaces the chapter's call to sdSierpinskiPlanes with a call to seenPyramid.
 #include "main.glsl"

@@ -2,7 +2,7 @@
 // by a multiple of a twelfth of a turn brings every point into the sector around the x axis. On the
 // y axis, where GLSL leaves atan(0, 0) undefined, the angle is 0.
 //
-// A macro renames the experiment's own sceneDistance, which is not used.
+// A macro renames the experiment's sceneDistance, which is not used.
 #include "main.glsl"
 #define sceneDistance latticeDistance
 #include "experiments/07_lattice.frag"

@@ -1,7 +1,7 @@
-// Solution to exercise 07.3: towers of height 0.5 to 12, which fill their cells. Four towers are
-// evaluated, and no step goes farther than the wall of their block.
+// Solution to exercise 07.3: towers with heights from 0.5 to 12, which almost fill their cells.
+// Four towers are evaluated, and no step goes beyond the border of the block that their cells form.
 //
-// A macro renames the experiment's own sceneDistance, which is not used.
+// A macro renames the experiment's sceneDistance, which is not used.
 #include "main.glsl"
 #define sceneDistance latticeDistance
 #include "experiments/07_lattice.frag"

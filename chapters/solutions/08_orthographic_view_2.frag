@@ -1,13 +1,13 @@
 // Solution to exercise 08.2: the oblique view. The rays are parallel, but not perpendicular to the
-// picture's plane. Planes perpendicular to the axis keep their shapes, and depth is drawn along a
-// slanting line.
+// picture's plane. Planes parallel to the picture keep their shapes, and depth is drawn along
+// slanting lines.
 #include "main.glsl"
 #define pixelRay chapterPixelRay
 #include "08_orthographic_view.frag"
 #undef pixelRay
 
-uniform float shortening; // 0.5 in [0, 1] step 0.1: length in the picture of a unit along the axis; 1 cavalier, 0.5 cabinet
-uniform float slant;      // 45 in [0, 90] step 5, degrees: angle of that line to the horizontal
+uniform float shortening; // 0.5 in [0, 1] step 0.1: length in the picture of a unit of depth; 1 cavalier, 0.5 cabinet
+uniform float slant;      // 45 in [0, 90] step 5, degrees: angle between the lines of depth and the horizontal
 
 Ray pixelRay(vec2 screen)
 {

@@ -5,7 +5,7 @@
 #include "08_orthographic_view.frag"
 #undef pixelRay
 
-uniform float beyond; // 1.3 in [1, 1.6] step 0.05: u, the position in the passage
+uniform float beyond; // 1.3 in [1, 1.6] step 0.05: u, which is 0 for perspective rays and 1 for parallel rays
 
 Ray pixelRay(vec2 screen)
 {

@@ -1,4 +1,4 @@
-// Solution to exercise 09.2: a sky of one colour, reddened in the same way as the sun's own light:
+// Solution to exercise 09.2: a sky of one colour, reddened in the same way as the light of the sun:
 // (0.5, 0.7, 1) times the transmittance of the air beyond one air mass.
 #include "main.glsl"
 #define rayColour chapterRayColour

@@ -1,6 +1,6 @@
-// Solution to exercise 09.3: the other method of chapter 07. It evaluates the cell and its nearer
-// neighbours, four in all, and caps the result with the distance to the outer wall of these four
-// cells plus GAP.
+// Solution to exercise 09.3: the other method of chapter 07. It evaluates the towers of the cell
+// and of its nearer neighbours, four in all, and caps the result at GAP plus the distance to the
+// outer border of these four cells.
 #include "main.glsl"
 #define sceneDistance oneCellDistance
 #include "09_sky_and_sunset.frag"

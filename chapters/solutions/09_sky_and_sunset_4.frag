@@ -1,5 +1,5 @@
 // Solution to exercise 09.4: stars. The celestial sphere turns about the pole. Each small square on
-// a cube around it contains one star or none, as an integer hash of the square decides.
+// a cube around the eye contains one star or none, depending on an integer hash of the square.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "09_sky_and_sunset.frag"

@@ -1,5 +1,5 @@
-// Solution to exercise 10.6: the wall's function is divided by its largest slope, whatever the
-// twist and the taper.
+// Solution to exercise 10.6: the wall's function is divided by its largest slope, for any twist and
+// taper.
 #include "main.glsl"
 #define sceneDistance experimentDistance
 #include "experiments/10_twisted.frag"

@@ -11,8 +11,8 @@ float sdLens(vec2 p, float radius, float apart)
 {
     p = abs(p);
     float tip = sqrt(radius * radius - apart * apart);
-    // On the right the outline is an arc around the left centre, up to the tip. p is in its sector
-    // if it lies under the line from that centre through the tip.
+    // On the right the outline is an arc around the left centre, up to the tip. p is in the arc's
+    // sector if it lies under the line from that centre through the tip.
     vec2 q = p + vec2(apart, 0.0);
     return q.y * apart <= q.x * tip ? length(q) - radius : length(p - vec2(0.0, tip));
 }

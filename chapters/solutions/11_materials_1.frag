@@ -1,7 +1,7 @@
 // Solution to exercise 11.1: the jug is glazed from its shoulder up. The march evaluates nothing
-// new; the height of the hit determines which part of the jug it is.
+// new; the height of the hit determines which part of the jug it is on.
 //
-// The chapter's own materialAt is renamed, and rayColour, which calls it, is replaced.
+// The chapter's materialAt is renamed, and rayColour, which calls materialAt, is replaced.
 #include "main.glsl"
 #define materialAt chapterMaterialAt
 #define rayColour chapterRayColour

@@ -1,7 +1,7 @@
 // Solution to exercise 11.4: whole balls, five along each side. The repetition is limited, and
 // nothing is cut.
 //
-// The experiment's own sceneDistance is renamed.
+// The experiment's sceneDistance is renamed.
 #include "main.glsl"
 #define sceneDistance cutDistance
 #include "experiments/11_lattice.frag"

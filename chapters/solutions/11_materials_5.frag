@@ -14,8 +14,8 @@
 
 const float WIDTH = 0.15; // width of the blend, scene units
 
-// For each ball, exp(-distance / WIDTH) after the smallest distance has been subtracted. Otherwise,
-// far from all balls, every value would be rounded to 0.
+// For each ball, exp(-distance / WIDTH) after the smallest distance has been subtracted. Without
+// the subtraction, every value would be rounded to 0 far from all balls.
 vec3 weights(vec3 ball, float least)
 {
     return exp((least - ball) / WIDTH);

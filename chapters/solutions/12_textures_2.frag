@@ -5,7 +5,7 @@
 #include "main.glsl"
 #include "texture.glsl"
 
-uniform float threshold; // 0.5 in [0, 0.57] step 0.01: the weight of a side is the amount by which |normal| exceeds it
+uniform float threshold; // 0.5 in [0, 0.57] step 0.01: a side's weight is |normal| minus the threshold
 
 vec3 thresholdWeights(vec3 normal, float sharpness)
 {

@@ -1,6 +1,7 @@
 // Solution to exercise 12.3: ridges. Every octave is folded at 1/2, which doubles its slope.
 //
-// The chapter's calls to octaveNoise and octaveStretch are replaced by calls to these functions.
+// The chapter's calls to octaveNoise and octaveStretch are replaced by calls to the functions
+// below.
 #include "main.glsl"
 #include "noise.glsl"
 

@@ -1,5 +1,5 @@
-// Solution to exercise 12.5: long pixels take eight lookups along the ellipse, each as wide as the
-// short axis and as long as an eighth of the long one.
+// Solution to exercise 12.5: eight lookups along the ellipse, each as wide as the short axis and an
+// eighth as long as the long axis.
 //
 // The chapter's calls to textureOnSlide, for plank and cloth, are replaced by calls to
 // textureAlong.

@@ -10,7 +10,7 @@ vec3 rayColour(Ray ray)
     Surface surface = surfaceAt(ray);
     Ray there = sunRay(surface, toSun);
     vec3 toBall = BALL.xyz - there.origin;
-    bool before = dot(toBall, toSun) > 0.0; // also on the ball's dark side, where Lambert's cosine is 0 anyway
+    bool before = dot(toBall, toSun) > 0.0; // true on the ball's dark side too, where Lambert's cosine is 0 anyway
     float behind = lampBesideBall(there.origin, toSun, spread, BALL.xyz, BALL.w);
     return encodeSRGB(surfaceLight(surface, ray, toSun, before ? behind : 1.0));
 }

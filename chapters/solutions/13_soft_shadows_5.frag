@@ -1,5 +1,5 @@
-// Solution to exercise 13.5: the march continues inside. There, distance / t is negative and shows
-// how far the ray is behind the edge. One closed form covers both sides.
+// Solution to exercise 13.5: the march continues inside the objects. There, distance / t is
+// negative and shows how far the ray is behind the edge. One closed form covers both sides.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"

@@ -1,4 +1,4 @@
-// Solution to exercise 14.1: near taps count more, and an open floor still gets 1.
+// Solution to exercise 14.1: near taps count more, and the openness of an open floor is still 1.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "14_occlusion.frag"

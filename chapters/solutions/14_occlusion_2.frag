@@ -1,5 +1,5 @@
-// Solution to exercise 14.2: the two box trees hide part of the sky, in closed form, and nothing
-// else does.
+// Solution to exercise 14.2: only the two box trees hide part of the sky; the share that each of
+// them hides is computed in closed form.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "14_occlusion.frag"

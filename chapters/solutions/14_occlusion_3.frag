@@ -1,5 +1,5 @@
 // Solution to exercise 14.3: a sky three times as bright at the zenith as at the horizon; an open
-// floor gets as much as before.
+// floor receives as much light as before.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "14_occlusion.frag"

@@ -1,6 +1,6 @@
 // Solution to exercise 14.4: one bounce with rays. Each ray that does not reach the sky brings back
-// the light reflected by the point that it hits, and that point is lit according to its own
-// openness, from five taps.
+// the light reflected by the point that it hits. That point is lit according to its openness, which
+// is estimated from five taps.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "14_occlusion.frag"

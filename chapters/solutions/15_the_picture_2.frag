@@ -5,8 +5,8 @@
 #include "15_the_picture.frag"
 #undef rayColour
 
-// The length of a path inside the layer: the part before the ray crosses the layer's top, or the
-// part after that.
+// The length of a path inside the layer: the part before the ray crosses the layer's top if the ray
+// climbs, or the part after that if it descends.
 //   height, climb, t  as for fogDepth
 float inLayer(float height, float climb, float t)
 {

@@ -1,4 +1,5 @@
-// Solution to exercise 16.1: where the coarse pass lets the rays begin, in grey.
+// Solution to exercise 16.1: where the coarse pass lets the rays begin, in grey; white is 30 scene
+// units or more.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "16_fewer_steps.frag"

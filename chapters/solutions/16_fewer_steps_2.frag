@@ -1,5 +1,5 @@
-// Solution to exercise 16.2: the water is part of the distance, and no ray meets it with a
-// division. The water lies in no box, so each ray is marched from the eye to the far limit.
+// Solution to exercise 16.2: the water is part of the distance and is not found with a division.
+// The water lies in no box, so each ray is marched up to the far limit.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #define rayColour chapterRayColour

@@ -1,11 +1,11 @@
-// Solution to exercise 18.2: an eclipse. The moon is a little above the sun and hides the sun and
-// its halo.
+// Solution to exercise 18.2: an eclipse. The moon is a little above the sun, and hides the part of
+// the sun and of its halo that is behind it.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "18_sky_from_tables.frag"
 #undef rayColour
 
-uniform float moonRadius; // 0.259 in [0.1, 5] step 0.1, degrees: of the moon; the article's is 1.7
+uniform float moonRadius; // 0.259 in [0.1, 5] step 0.1, degrees: radius of the moon; the article's is 1.7
 uniform float apart;      // 0.1 in [-3, 3] step 0.05, degrees: height of the moon above the sun
 
 vec3 rayColour(Ray ray)

@@ -1,7 +1,7 @@
-// Solution to exercise 18.3: a painted sky. painted_sky.png has two storeys: the lower one for the
-// half that contains the sun, the upper one for the other half. In each, the sine of the sun's
-// height increases to the right, from -1 to 1, and the sine of the direction's height increases
-// upwards, from 0 to 1.
+// Solution to exercise 18.3: a painted sky. painted_sky.png has two storeys: the lower one is for
+// the half of the sky that contains the sun, and the upper one is for the other half. In each, the
+// sine of the sun's height increases to the right, from -1 to 1, and the sine of the direction's
+// height increases upwards, from 0 to 1.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "18_sky_from_tables.frag"

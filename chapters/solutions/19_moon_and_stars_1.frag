@@ -5,8 +5,9 @@
 #include "night.glsl"
 #include "coverage.glsl"
 
-// A line at every 15 degrees of an angle: the share of the pixel that it covers. The distance of
-// the angle from the nearest line is computed from its sine, because a driver's atan may be inexact.
+// The share of a pixel that is covered by lines at every 15 degrees of an angle. The distance of
+// the angle from the nearest line is computed from its sine, because a driver's atan may be
+// inexact.
 //   along  cosine and sine of the angle, not both 0
 //   width  of the pixel, radians
 float lineAt(vec2 along, float width)

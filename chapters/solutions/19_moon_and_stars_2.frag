@@ -2,7 +2,8 @@
 #include "main.glsl"
 #include "night.glsl"
 
-// The centre of the shadow lies opposite the sun; at the moon its radius is 2.65 radii of the moon.
+// The centre of the shadow lies opposite the sun; at the distance of the moon, the radius of the
+// shadow is 2.65 radii of the moon.
 vec3 eclipsedFace(sampler2D face, vec2 point, float width, vec3 toSun, float relief)
 {
     vec3 light = moonFace(face, point, width, toSun, relief);

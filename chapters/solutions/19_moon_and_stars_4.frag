@@ -11,7 +11,7 @@ vec3 ringedGlow(vec3 direction, vec3 moon, float g)
 {
     float sine = 0.5 * min(distance(direction, moon), 2.0), cosine = sqrt(1.0 - sine * sine);
     vec3 s = 0.5 * vec3(1.307, 1.311, 1.317), c = sqrt(1.0 - s * s);
-    vec3 leastSine = 0.8660254 * s - 0.5 * c, leastCosine = 0.8660254 * c + 0.5 * s; // less 30 degrees
+    vec3 leastSine = 0.8660254 * s - 0.5 * c, leastCosine = 0.8660254 * c + 0.5 * s; // asin(n / 2) - 30 degrees
     vec3 beyond = 2.0 * (sine * leastCosine - cosine * leastSine);
     vec3 edge = smoothstep(vec3(-radians(0.5)), vec3(0.0), beyond) * exp(-max(beyond, 0.0) / radians(4.0));
     return glow(direction, moon, g) + ring * edge;

@@ -1,4 +1,4 @@
-// Solution to exercise 21.1: Fresnel's own formula for water, instead of Schlick's.
+// Solution to exercise 21.1: Fresnel's formula for water, instead of Schlick's.
 //
 // The chapter's call to schlickShare becomes a call to waterShare.
 #include "main.glsl"

@@ -1,5 +1,5 @@
-// Solution to exercise 21.2: snow down to an adjustable height, as late in the year, and grass that
-// ends below it.
+// Solution to exercise 21.2: snow down to an adjustable height, as there is late in the year, and
+// grass that ends below it.
 //
 // The chapter's call to landColour becomes a call to winterColour.
 #include "main.glsl"

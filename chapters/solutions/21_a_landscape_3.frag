@@ -1,5 +1,5 @@
 // Solution to exercise 21.3: gorges instead of ridges. The fold is turned upside down. No bound
-// changes, because |grad| is the same.
+// changes, because the length of the gradient is the same.
 //
 // All calls to ridged become calls to gorge.
 #include "main.glsl"

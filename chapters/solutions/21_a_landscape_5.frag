@@ -4,7 +4,7 @@
 
 const vec2  ISLAND = vec2(7.0, 14.0); // right and ahead of the eye
 const float ISLAND_SLOPE = 1.3;       // 1.54 * 4.2 / 5
-const float ISLAND_RADIUS = 2.0;      // of the part above the water
+const float ISLAND_RADIUS = 2.0;      // radius of the part above the water
 
 // A hill on the bottom of the lake: height (x), gradient (yz).
 vec3 island(vec2 q)

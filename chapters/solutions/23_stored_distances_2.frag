@@ -4,7 +4,7 @@
 #include "23_stored_distances.frag"
 #undef sceneDistance
 
-const float WALL = 0.07; // thickness, scene units
+const float WALL = 0.07; // thickness of the shell, scene units
 
 float sceneDistance(vec3 p)
 {
