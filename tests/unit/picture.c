@@ -170,8 +170,8 @@ TEST(each_sample_is_clamped)
     assert_true(gpu_load_text(
         GPU_COURSE "vec3 rayColour(Ray ray)\n"
                    "{\n"
-                   "    float place = 0.5 * (iResolution.y * ray.origin.x + iResolution.x);\n"
-                   "    return fract(place) < 0.5 ? vec3(4.0, -3.0, 0.5) : vec3(0.0, 1.0, 0.5);\n"
+                   "    float across = 0.5 * (iResolution.y * ray.origin.x + iResolution.x);\n"
+                   "    return fract(across) < 0.5 ? vec3(4.0, -3.0, 0.5) : vec3(0.0, 1.0, 0.5);\n"
                    "}\n"));
     struct renderer_inputs inputs = gpu_inputs(64, 48, 2);
     float *values = draw(&inputs, inputs.height);
