@@ -1,5 +1,6 @@
-// cells.c - the operators of shaders/repetition.glsl at given numbers, compared with their
-// definitions, and the cell's hash: to the last bit, and as a source of random numbers.
+// cells.c - GLSL's mod, the report's formula for repetition, and cellRandom of
+// shaders/repetition.glsl: compared with its C version to the last bit, and tested as a source of
+// random numbers.
 #include "lib/test.h"
 #include "lib/cell.h"
 #include "lib/gpu.h"
@@ -8,7 +9,7 @@
 
 enum { WIDE = 256, ROWS = 64, ITEMS = WIDE * ROWS, SIDE = 256 };
 
-// What the Time of tests/shaders/repetition.frag selects.
+// The functions that Time selects in tests/shaders/repetition.frag.
 enum { NUMBERS = 20, MORE_NUMBERS, LIMITED_NUMBERS, HASH };
 
 struct period_limits {
@@ -21,8 +22,8 @@ static float *numbers_of(int function, const struct period_limits *limits)
                     (const float[4]){limits->period, limits->reach, limits->first, limits->last});
 }
 
-// GLSL's mod takes the floor of the quotient and C's fmod truncates it, so they differ for negative
-// numbers.
+// GLSL's mod takes the floor of the quotient and C's fmod truncates it, so the two differ for
+// negative numbers.
 TEST(test_mod_is_not_fmod)
 {
     const struct period_limits two = {2.0f, 0.0f, 0.0f, 0.0f};
@@ -68,21 +69,24 @@ TEST(test_hash_is_the_same_to_the_bit)
             assert_true((double)v[0] == cell_hash(x, y, z) && (double)v[1] == cell_hash(z, x, y));
             assert_true((double)v[2] == cell_hash(y, z, x));
             assert_true((double)v[3] == cell_hash(8191 * x, 8191 * y, 8191 * z));
-            assert_true(cell_hash(x, z, y) == (double)v[0]); // as the header says
+            // Exchanging the last two indices has no effect.
+            assert_true(cell_hash(x, z, y) == (double)v[0]);
         }
         free(values);
     }
     assert_true(cell_hash(0, 0, 0) >= 0.0 && cell_hash(1, 2, 3) < 1.0);
 }
 
-// The part of a hash that chapter 07 uses: all of it, or the fraction after the first 6 or 12 bits.
+// The random number that chapter 07 takes from a hash value: for shift 1 the value itself, for
+// shift 64 or 4096 the fraction after its first 6 or 12 bits.
 static double digits(float value, double shift)
 {
     double x = shift * (double)value;
     return x - floor(x);
 }
 
-// Correlation of a number with that of the cell (dx, dz) away, over the grid.
+// The correlation, over the grid, between the random number of a cell, with the shift `from`, and
+// that of the cell (dx, dz) away, with the shift `to`.
 static double correlation(const float *values, double from, double to, int dx, int dz)
 {
     double sum = 0.0;
@@ -94,8 +98,8 @@ static double correlation(const float *values, double from, double to, int dx, i
     return 12.0 * sum / count; // 1/12 is the variance of a uniform distribution
 }
 
-// The chi^2 of 64 classes is 63 on average, with a standard deviation of 11.2. Five of these are
-// allowed.
+// The chi^2 of 64 classes is 63 on average, with a standard deviation of 11.2. The test allows five
+// standard deviations.
 static double chi_square(const float *values, double shift)
 {
     int classes[64] = {0};
@@ -107,9 +111,9 @@ static double chi_square(const float *values, double shift)
     return sum / (SIDE * SIDE / 64.0);
 }
 
-// The largest correlation between the parts of neighbouring cells' numbers; and between those of
-// one cell, minus the 1 / 64 or 1 / 4096 that a number and its fraction after the first 6 or 12
-// bits always have.
+// The largest correlation between a number of one cell and a number of a cell up to two away, or
+// between two numbers of one cell. A number has a correlation of 1 / 64 or 1 / 4096 with its
+// fraction after the first 6 or 12 bits; in one cell, this value is subtracted.
 static double worst_correlation(const float *values)
 {
     const double shift[3] = {1.0, 64.0, 4096.0};
@@ -125,8 +129,8 @@ static double worst_correlation(const float *values)
 }
 
 // The correlation of N = 65,536 independent pairs has a standard deviation of 1 / sqrt(N) = 0.0039;
-// five of these are allowed.
-TEST(test_hash_looks_like_chance)
+// five standard deviations are allowed.
+TEST(test_hash_looks_random)
 {
     float *values = hashes(0.0f);
     double mean = 0.0, uneven = 0.0, worst = worst_correlation(values);

@@ -1,12 +1,13 @@
-// checkers.c - squares averaged over the part of the plane that a pixel sees, compared with 64 x 64
-// samples in double precision: in perspective, with parallel rays, and between the two.
+// checkers.c - squares averaged over the part of the plane that a pixel sees, compared with samples
+// in double precision: in perspective, with parallel rays, and halfway between the two.
 #include "lib/test.h"
 #include "lib/checkers.h"
 
-// Samples at the centres of a grid's cells are off by half a cell for each edge of a square. With
-// 64 per side that is 2 of 255 or more, so such a grid is not exact to 1 / 255. With 4096 per side
-// it is. So are 64 x 64 samples that are not in rows, if at most a hundred squares share them; in
-// the last rows below the horizon, a pixel sees thousands.
+// With samples at the centres of a grid's cells, each edge of a square contributes an error of up
+// to half a cell. With 64 cells per side, that is 2 / 255 or more, so such a grid is not accurate
+// to 1 / 255. With 4096 per side it is. So are 64 x 64 samples with no common rows or columns if
+// the pixel sees at most a hundred squares; in the last rows below the horizon, a pixel sees
+// thousands.
 static const int fine = 4096, coarse = 64;
 static const double few = 100.0;
 
@@ -32,9 +33,9 @@ static void check_view(const struct checkers_view *view)
         }
     free(share);
     print_message(
-        "# orthographic %.1f: %d pixels: of 255, off the fine grid by at most %.3f; %d with "
-        "at most 100 squares: off 64 x 64 samples by at most %.3f, off a grid of 64 x 64 "
-        "by %.2f\n",
+        "# orthographic %.1f: %d pixels differ from the fine grid by at most %.3f / 255; the %d "
+        "with at most 100 squares differ from 64 x 64 samples by at most %.3f / 255, and from a "
+        "64 x 64 grid by at most %.2f / 255\n",
         view->orthographic, count, 255.0 * worst, near, 255.0 * off, 255.0 * grid);
     assert_true(count > 1500 && near > 0.9 * count);
     assert_true(worst <= 0.2 / 255.0);

@@ -1,13 +1,14 @@
-// For sky.c: chapter 09's distance at pseudorandom points, and whether its sky is a valid colour.
-// iTime selects: 0 to 1 a point as a share of the sampled box, 1 to 2 the distance there, 2 to 3 the tree's distance at
-// it and beside it, from 3 on the sky. All in [0, 1], which main() preserves.
+// For sky.c: chapter 09's distance at pseudorandom points, and whether its sky is a valid colour. iTime selects the
+// result: below 1, a point as a fraction of the sampled box; below 2, the distance there; below 3, the tree's distance
+// at two points, and the distance between them; from 3 on, whether the sky is valid. All results are in [0, 1], which
+// main() preserves.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "09_sky_and_sunset.frag"
 #undef rayColour
 #include "random.glsl"
 
-// Is this light valid: finite, and nowhere negative?
+// True if every channel of the light is in [0, 1000), and thus finite.
 bool isLight(vec3 light)
 {
     return all(greaterThanEqual(light, vec3(0.0))) && all(lessThan(light, vec3(1000.0)));

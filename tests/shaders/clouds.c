@@ -1,6 +1,6 @@
 // clouds.c - shaders/clouds.glsl compared with double precision: the layer over a round Earth,
-// positions in the panorama, an overcast sky and the weather; and the panoramas themselves at their
-// seam.
+// positions in the panorama, the light of clouds, an overcast sky, the weather and the rain. The
+// panoramas themselves are tested at their seam.
 #include "lib/test.h"
 #include "picture/image.h"
 #include "lib/gpu.h"
@@ -15,27 +15,26 @@ static const double earth = 6371.0;
 
 // ---- The layer ----
 
-// How far the ray has come when it is this high above the ground, found by bisection.
+// The distance to the point at which a ray reaches an altitude, km, found by bisection.
 static double hit_by_halving(double height, double climb, double altitude)
 {
     double low = 0.0, high = 20000.0;
-    // Beyond the lowest point of the ray, its height grows.
+    // The ray gains height only beyond its lowest point.
     if (climb < 0.0)
         low = -(earth + height) * climb;
     for (int i = 0; i < 200; i++) {
         double t = 0.5 * (low + high), x = t * sqrt(1.0 - climb * climb);
         double up = earth + height + t * climb;
-        // hypot(x, up) - earth without its rounding error: x^2 + (up^2 - earth^2) over the sum of
-        // the roots.
+        // This is hypot(x, up) - earth without its rounding error: x^2 + (up^2 - earth^2) divided
+        // by hypot(x, up) + earth.
         double over = (x * x + (up - earth) * (up + earth)) / (hypot(x, up) + earth);
         *(over < altitude ? &low : &high) = t;
     }
     return 0.5 * (low + high);
 }
 
-// The stable form keeps the digits of a float, with an error of 6e-8 per rounding and several
-// roundings in a row. The root in its textbook form loses them overhead, and loses more the lower
-// the layer is.
+// layerHit uses the stable form of the root, which is accurate to a few roundings of a float, 6e-8
+// each. The textbook form loses digits overhead, and the lower the layer is, the more it loses.
 TEST(test_layer_is_where_the_ray_meets_it)
 {
     static const float layers[][4] = {
@@ -50,32 +49,34 @@ TEST(test_layer_is_where_the_ray_meets_it)
             plain = fmax(plain, fabs((double)v[2] / right - 1.0));
         }
         free(values);
-        print_message("# layer %.2f km over an eye at %.2f km: worst relative error %.2g, of the "
-                      "book's root %.2g\n",
-                      (double)layers[k][1], (double)layers[k][0], worst, plain);
+        print_message(
+            "# layer at %.2f km, eye at %.2f km: worst relative error %.2g, with the textbook "
+            "root %.2g\n",
+            (double)layers[k][1], (double)layers[k][0], worst, plain);
         assert_true(worst < 1e-6);
         assert_true(plain > 30.0 * worst);
     }
 }
 
-// Straight up it is the difference of heights; horizontally from the ground it is the root of 2 R a
-// + a^2. The page's numbers for a layer at a height of 1.2 km are printed.
+// Straight up, the distance to the layer is the difference of heights; horizontally from the
+// ground, it is the square root of 2 R a + a^2. The test prints the page's numbers for a layer at a
+// height of 1.2 km.
 TEST(test_layer_at_its_ends)
 {
     static const double degrees[] = {0.5, 1.0, 2.0, 5.0, 30.0};
     for (int i = 0; i < 5; i++) {
         double y = sin(degrees[i] * MIRROR_PI / 180.0), round = hit_by_halving(0.0, y, 1.2);
-        print_message("# %4.1f degrees: flat %6.1f km, round %5.1f km\n", degrees[i], 1.2 / y,
-                      round);
+        print_message("# %4.1f degrees: %6.1f km over a flat Earth, %5.1f km over a round Earth\n",
+                      degrees[i], 1.2 / y, round);
         assert_true(round < 1.2 / y);
     }
     assert_true(fabs(hit_by_halving(0.0, 1.0, 1.2) - 1.2) < 1e-9);
     assert_true(fabs(hit_by_halving(0.0, 0.0, 1.2) - sqrt(2.0 * earth * 1.2 + 1.44)) < 1e-6);
 }
 
-// The shader turns a direction from an eye beside the origin into that of the same point of the
-// layer from the origin.
-TEST(test_the_middle_sees_the_same_place)
+// seenFromMiddle turns the direction from an eye beside the origin to a point of the layer into the
+// direction from the origin to that point.
+TEST(test_the_centre_sees_the_same_point)
 {
     const float eye[4] = {0.8f, 0.1f, -0.5f, 1.2f};
     float *directions = gpu_call(SHADER, WIDE, HIGH, DIRECTION, eye);
@@ -90,9 +91,10 @@ TEST(test_the_middle_sees_the_same_place)
     free(seen);
 }
 
-// Clouds see the sun after it has set on the ground: the ray that grazes the Earth makes the angle
-// acos(R / (R + a)) with the horizontal at the cloud. The series sqrt(2 a / R) has a relative error
-// of 5/12 a / R, and the sum instead of the sum's sine an error of h^2 / 2.
+// Clouds see the sun after it has set on the ground: at a cloud, the ray that grazes the Earth
+// makes an angle of acos(R / (R + a)) with the horizontal. The approximation sqrt(2 a / R) has a
+// relative error of 5/12 a / R. The shader adds it to the sine of the height h instead of to h,
+// which adds a relative error of h^2 / 2.
 TEST(test_clouds_see_the_sun_longer)
 {
     for (float a = 0.5f; a < 13.0f; a *= 2.0f) {
@@ -129,8 +131,8 @@ TEST(test_places_are_angles)
         double level = hypot(d.x, d.z), height = atan2(d.y, level), w = (double)width[0];
         worst = fmax(worst, turn_apart((double)v[0], atan2(d.z, d.x) / (2.0 * MIRROR_PI)));
         worst = fmax(worst, fabs((double)v[1] - sqrt(2.0 * height / MIRROR_PI)));
-        // The footprint comes from differences over half a pixel to each side, along the horizon
-        // and upwards.
+        // The expected footprint: in u from the slope along the horizon, in v from the difference
+        // over half a pixel to each side.
         double u = w / level / (2.0 * MIRROR_PI);
         double up = sqrt(2.0 * (height + 0.5 * w) / MIRROR_PI) -
                     sqrt(2.0 * fmax(height - 0.5 * w, 0.0) / MIRROR_PI);
@@ -140,7 +142,9 @@ TEST(test_places_are_angles)
     }
     free(directions);
     free(positions);
-    print_message("# panorama: points off by %.2g, footprints by a share of %.2g\n", worst, reach);
+    print_message(
+        "# panorama: positions off by at most %.2g, footprints by at most %.2g of their size\n",
+        worst, reach);
     assert_true(worst < 2e-6 && reach < 2e-3);
 }
 
@@ -157,8 +161,9 @@ static int column_step(const struct image_bytes *image, int left, int right)
     return largest;
 }
 
-// Where the panorama begins and ends, its columns differ no more than elsewhere.
-TEST(test_panoramas_close)
+// The first and the last column of a panorama differ no more than neighbouring columns near the
+// seam.
+TEST(test_panoramas_have_no_seam)
 {
     static const char *const names[] = {"fair", "storm"};
     for (int k = 0; k < 2; k++) {
@@ -173,8 +178,9 @@ TEST(test_panoramas_close)
             beside = left > beside ? left : beside;
             beside = right > beside ? right : beside;
         }
-        print_message("# clouds_%s: %d of 255 across the seam, %d beside it\n", names[k], seam,
-                      beside);
+        print_message("# clouds_%s: columns differ by %d / 255 across the seam, by at most %d / "
+                      "255 beside it\n",
+                      names[k], seam, beside);
         assert_true(seam <= beside && seam > 0);
         free(image.value);
     }
@@ -191,8 +197,9 @@ TEST(test_clouds_over_clouds)
     free(values);
 }
 
-// At every hour and in every direction, the light of a cloud is positive, and it is zero where
-// there is no cloud. The article's colour is negative when the sun is below -31.9 degrees.
+// At every hour and in every direction, a cloud sends at least a quarter of the skylight from the
+// share that it covers. The article's colour is negative when the sun is more than 31.9 degrees
+// below the horizon.
 TEST(test_clouds_are_never_darker_than_black)
 {
     for (int hour = 0; hour < 24; hour++) {
@@ -202,7 +209,8 @@ TEST(test_clouds_are_never_darker_than_black)
             const float *v = values + 4 * i;
             for (int c = 0; c < 3; c++) {
                 assert_true(v[c] >= 0.0025f * v[3] * 0.99f);
-                assert_true(v[c] <= 1.3f); // sunlight 0.3 and four times that for the lining
+                // The light is at most four times the sunlight of 0.3, plus the skylight.
+                assert_true(v[c] <= 1.3f);
             }
         }
         free(values);
@@ -213,8 +221,9 @@ TEST(test_clouds_are_never_darker_than_black)
 
 // ---- Weather ----
 
-// The ratio is 3 : 1, and the sum over the hemisphere, weighted with the cosine to the horizontal
-// surface, is pi times the white. With the midpoint rule in y = sin h: the solid angle is 2 pi dy.
+// An overcast sky is three times as bright overhead as at the horizon. The sum over the hemisphere,
+// weighted with the cosine of the angle to the zenith, is pi times the white. The sum uses the
+// midpoint rule in y = sin h, where the solid angle is 2 pi dy.
 TEST(test_overcast_sky_keeps_its_light)
 {
     const float white[4] = {0.7f, 1.0f, 2.0f};
@@ -224,7 +233,8 @@ TEST(test_overcast_sky_keeps_its_light)
         for (int i = 0; i < 256; i++)
             sum += 2.0 * MIRROR_PI / 256.0 * (double)values[4 * i + 3] * (double)values[4 * i + c];
         assert_true(fabs(sum / (MIRROR_PI * (double)white[c]) - 1.0) < 1e-5);
-        // The values are linear in y, and 0 and 1 are half a step outside.
+        // The values are linear in y; y = 0 and y = 1 are half a step beyond the first and the last
+        // value.
         double first = (double)values[c], last = (double)values[4 * 255 + c];
         double step = (last - first) / 255.0;
         assert_true(fabs((last + 0.5 * step) / (first - 0.5 * step) - 3.0) < 1e-4);
@@ -242,7 +252,7 @@ TEST(test_weather_runs_from_fair_to_bad)
     assert_true(fair[0] == 1.0f && fair[1] == 0.0f && fair[2] == 0.0f && fair[3] == 1.0f);
     assert_true(more[1] == 1.0f && more[4 * 500 + 1] == 0.0f);
     assert_true(more[0] > 4.0f * more[4 * 500]);
-    // 46,000 times the light of a white wall perpendicular to the sun's rays: the sun's disc is
+    // The sun's disc is 46,000 times as bright as a white wall perpendicular to its rays, and yet
     // invisible in the bad sky.
     assert_true(more[2] < 1e-6f && more[4 * 500 + 2] == 1.0f);
     for (int i = 0; i <= 500; i += 50) {
@@ -258,13 +268,13 @@ TEST(test_weather_runs_from_fair_to_bad)
         assert_true(v[3] >= before[3] && more[4 * i] <= more[4 * i - 4]);
         assert_true(more[4 * i + 1] <= more[4 * i - 3]);
         assert_true(more[4 * i + 2] >= more[4 * i - 2] && more[4 * i + 2] <= v[3]);
-        assert_true(v[0] + v[1] >= 0.99f); // never without clouds
+        assert_true(v[0] + v[1] >= 0.99f); // the sky always has clouds
     }
     free(shares);
     free(more);
 }
 
-// Streaks fill a small share of the picture, and they move.
+// Streaks of rain fill a small share of the picture, and they move.
 TEST(test_rain_falls)
 {
     const float first[4] = {0.0f, 90.0f}, later[4] = {0.1f, 90.0f};
@@ -277,13 +287,13 @@ TEST(test_rain_falls)
     }
     free(a);
     free(b);
-    print_message("# rain: mean %.3f, change %.3f\n", sum, moved);
+    print_message("# rain: mean %.3f, mean change in 0.1 s %.3f\n", sum, moved);
     assert_true(sum > 0.005 && sum < 0.1 && moved > 0.5 * sum);
 }
 
-// A picture of few pixels contains as much rain as one of many, because a streak is at least a
-// pixel wide and correspondingly fainter. Over eight moments, a thousandth is cut off at the
-// picture's rim.
+// A picture with few pixels contains as much rain as one with many, because a streak that is
+// widened to a pixel becomes fainter in proportion. The mean is taken over eight moments, and may
+// differ by a thousandth or two because the edge of the picture cuts off some of the rain.
 TEST(test_rain_keeps_its_light)
 {
     static const int rows[] = {72, 108, 180, 360, 720};

@@ -1,10 +1,12 @@
-// coarse.c - the coarse pass: by brute force in double precision, no ray of a block meets anything
-// before the start that it gets; and a wire half a pixel thick remains complete.
+// coarse.c - tests of the coarse pass. By brute force in double precision, no ray of a block meets
+// anything before its start, and pictures of a wire half a pixel wide differ with and without the
+// pass only where a ray grazes the scene.
 #include "lib/test.h"
 #include "lib/coarse.h"
 
 // Follow a ray until the scene is nearer than the margin, in steps that can never miss such a
-// point; or up to a limit, and then return infinity.
+// point. Returns the distance along the ray, or infinity if there is no such point before the
+// limit.
 static double reach(const struct coarse_scene *scene, const struct renderer_inputs *inputs,
                     struct mirror_ray ray, double limit)
 {
@@ -21,7 +23,7 @@ static double reach(const struct coarse_scene *scene, const struct renderer_inpu
 
 static uint64_t chance;
 
-// A number in [low, high].
+// A random number in [low, high].
 static double any(double low, double high)
 {
     chance = chance * 6364136223846793005u + 1442695040888963407u;
@@ -51,7 +53,7 @@ static struct coarse_scene any_scene(double orthographic)
     return scene;
 }
 
-// A camera somewhere around the scene that looks at an object in the middle.
+// A random camera around the scene that looks roughly towards its middle.
 static struct camera any_camera(void)
 {
     double pan = any(-180.0, 180.0), tilt = any(-70.0, 70.0), away = any(3.0, 8.0);
@@ -62,15 +64,15 @@ static struct camera any_camera(void)
     return camera;
 }
 
-// The starts of a picture.
+// Counts and sums over the blocks of pictures.
 struct starts {
     int rays;          // rays that were followed
-    int early;         // of them, rays with something before the start
+    int early;         // rays that meet something before the start of their block
     double start, met; // sums over the blocks that meet something: the start, the first meeting
 };
 
-// Follow rays of a block: through its corners, which belong to the samples of its neighbours, and
-// through points inside it.
+// Follow 40 rays of a block: through its corners, which it shares with its neighbours, and through
+// random points inside it.
 static void look_at(const struct coarse_scene *scene, const struct renderer_inputs *inputs,
                     int block[2], double start, struct starts *starts)
 {
@@ -85,7 +87,7 @@ static void look_at(const struct coarse_scene *scene, const struct renderer_inpu
         first = fmin(first, met);
     }
     if (first < INFINITY &&
-        inputs->height > 20) { // a block that contains the whole picture is not a cone
+        inputs->height > 20) { // a cone around the whole picture is too wide for a good start
         starts->start += start;
         starts->met += first;
     }
@@ -107,8 +109,8 @@ static void look_at_picture(double orthographic, int width, int height, struct s
     free(table);
 }
 
-// The views are perspective, parallel and between the two. Blocks fill some of the pictures
-// exactly, others not.
+// The views are perspective, parallel and two in between. Only some of the pictures consist of
+// whole blocks.
 TEST(test_nothing_is_before_the_start)
 {
     static const int sizes[][2] = {{96, 56}, {67, 37}, {160, 45}, {5, 3}, {1, 1}};
@@ -120,7 +122,8 @@ TEST(test_nothing_is_before_the_start)
         for (size_t i = 0; i < 25; i++)
             look_at_picture(views[v], sizes[i % 5][0], sizes[i % 5][1], &starts);
         print_message(
-            "# orthographic %g: %d rays, %d meet something before; starts %.3f of the way\n",
+            "# orthographic %g: of %d rays, %d meet something before their start; on average, the "
+            "starts are at %.3f of the distance to the first meeting\n",
             views[v], starts.rays, starts.early, starts.start / starts.met);
         assert_int_equal(starts.early, 0);
         assert_true(starts.start > 0.75 * starts.met);
@@ -129,11 +132,11 @@ TEST(test_nothing_is_before_the_start)
 
 // ---- A wire half a pixel thick ----
 
-// What a ray does.
+// The events along a ray, up to its first hit.
 struct course {
-    bool meets;  // it enters the scene
-    bool nears;  // it comes nearer than the margin
-    bool grazes; // it comes nearer, and moves away again before it meets anything
+    bool meets;  // the ray meets the scene
+    bool nears;  // the scene comes nearer to the ray than the margin
+    bool grazes; // the scene comes nearer, and recedes again before the ray meets anything
 };
 
 static struct course course_of(const struct coarse_scene *scene,
@@ -151,8 +154,8 @@ static struct course course_of(const struct coarse_scene *scene,
     return course;
 }
 
-// A ray that meets the scene finds it, and a ray that passes it farther away than the margin
-// does not.
+// The picture shows every ray that meets the scene as a hit, and no ray that stays farther away
+// than the margin.
 static void check_rays(const struct coarse_scene *scene, const struct renderer_inputs *inputs,
                        const float *picture, int row)
 {
@@ -165,7 +168,8 @@ static void check_rays(const struct coarse_scene *scene, const struct renderer_i
     }
 }
 
-// The columns of the picture in which no pixel shows the wire; no ball covers a whole column.
+// The number of columns of the picture in which no pixel shows the wire. No ball covers a whole
+// column.
 static int holes_of(const float *picture)
 {
     int holes = 0;
@@ -184,9 +188,9 @@ static float *wire_picture(const struct renderer_inputs *inputs, bool pass)
     return gpu_numbers(inputs);
 }
 
-// The pixels in which only one picture shows something, or only one shows the wire. A march may
-// stop at a point nearer than the margin that the ray then leaves, or step over it. No other ray
-// may be shown differently.
+// The number of pixels in which only one picture shows something, or only one shows the wire. Such
+// a pixel is allowed only where the ray comes nearer to the scene than the margin and then moves
+// away again: there, one march may stop and the other may step past.
 static int differences_of(const struct coarse_scene *scene, const struct renderer_inputs *inputs,
                           const float *a, const float *b)
 {
@@ -201,7 +205,7 @@ static int differences_of(const struct coarse_scene *scene, const struct rendere
     return count;
 }
 
-// A grid of cameras, each a fraction of a pixel and of a block from the next.
+// Check a wire from a grid of 7 x 7 cameras, each a fraction of a pixel from the next.
 static void check_wire(double growth, double lean, double orthographic)
 {
     int differ = 0, holes = 0, alone_holes = 0;
@@ -222,8 +226,8 @@ static void check_wire(double growth, double lean, double orthographic)
         free(without);
     }
     print_message(
-        "# growth %g, lean %g, orthographic %g: %d pixels differ, %d holes (%d without)\n", growth,
-        lean, orthographic, differ, holes, alone_holes);
+        "# growth %g, lean %g, orthographic %g: %d pixels differ, %d holes (%d without the pass)\n",
+        growth, lean, orthographic, differ, holes, alone_holes);
     assert_true(differ < 49 * COARSE_WIDE * COARSE_HIGH / 2000); // 0.05 %
     assert_true(growth == 0.0 || holes == 0);
 }

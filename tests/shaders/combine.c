@@ -1,5 +1,6 @@
-// combine.c - union, intersection, subtraction and smooth union of two balls on the GPU, compared
-// with the distance to the remaining parts of their surfaces in double precision.
+// combine.c - union, intersection and subtraction of two balls on the GPU, compared with the
+// distance to the remaining parts of their surfaces in double precision; and the depth and the
+// shares of smooth unions.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -8,12 +9,12 @@ enum { UNION, INTERSECTION, SUBTRACTION, SMOOTH, QUADRATIC };
 
 enum { ROWS = 128, ITEMS = 256 * ROWS };
 
-// Half the distance of the centres, the width of the blend, the step of the differences, the
-// radius: the discs of the experiment 04_bounds.
+// Half the distance between the centres, the width of the blend, the step of the differences, and
+// the radius. The distance and the radius are those of the discs in the experiment 04_bounds.
 static const float sizes[4] = {0.7f, 0.625f, 0.0078125f, 1.0f};
 static const double shift = (double)0.7f, blend = 0.625, step = 0.0078125, radius = 1.0;
 
-// Rounding errors of a distance, of its cube, and of a point's own coordinates.
+// An upper bound on the rounding errors of a distance, of its cube, and of a point's coordinates.
 static const double slack = 2e-6;
 
 static float *values_of(int operation)
@@ -21,16 +22,17 @@ static float *values_of(int operation)
     return gpu_call("tests/shaders/combine.frag", 1024, ROWS, operation, sizes);
 }
 
-// The distance from (x, y), relative to a ball's centre, to an arc of its circle between two
-// angles, both in [0, pi].
+// The distance from (x, y), relative to a ball's centre, to the arc of the ball's outline between
+// two angles, both in [0, pi].
 static double arc_distance(double x, double y, double from, double to)
 {
     double angle = fmin(fmax(atan2(y, x), from), to);
     return hypot(x - radius * cos(angle), y - radius * sin(angle));
 }
 
-// The distance to the surface of the combination: each ball keeps the arc inside or the arc outside
-// the other; the arcs meet in the plane between the centres, at the angle acos(shift / radius).
+// The distance to the surface of the combination. Of each ball's outline, either the arc inside or
+// the arc outside the other ball remains; the arcs meet in the plane midway between the centres, at
+// the angle acos(shift / radius).
 static double surface_distance(struct d3 p, int operation)
 {
     double y = hypot(p.y, p.z), meet = acos(shift / radius);
@@ -50,8 +52,8 @@ static bool inside(struct d3 p, int operation)
     return left && (operation == INTERSECTION ? right : !right);
 }
 
-// The operator compared with the truth: it is exact on one side, and on the other never larger and
-// somewhere smaller.
+// Compare an operator with the true distance. The operator is exact on one side; on the other, its
+// absolute value is never larger than the distance, and smaller at some points.
 static void check_bound(int operation, bool exact_inside)
 {
     float *values = values_of(operation);
@@ -75,8 +77,8 @@ static void check_bound(int operation, bool exact_inside)
     }
     free(values);
     print_message(
-        "# operation %d: exact at %d points; a bound at %d, short by more than 0.01 at %d, "
-        "by %.3f at most\n",
+        "# operation %d: exact at %d points; a bound at %d points, too small by more than 0.01 at "
+        "%d of them, and by at most %.3f\n",
         operation, exact, bounded, short_of, shortest);
     assert_true(exact > 500 && bounded > 500 && short_of > 100);
 }
@@ -96,7 +98,7 @@ TEST(test_subtraction_is_exact_inside_and_a_bound_outside)
     check_bound(SUBTRACTION, true);
 }
 
-// The two points that the page computes: above the lens, and in the middle of the union.
+// The page computes the distances at two points: above the lens, and in the middle of the union.
 TEST(test_the_points_of_the_page)
 {
     struct d3 above = {0.0, 2.0, 0.0}, origin = {0.0, 0.0, 0.0};
@@ -126,8 +128,8 @@ TEST(test_all_are_1_lipschitz)
     }
 }
 
-// Never more than min, and never less than min minus the depth of the blend, which is reached where
-// a = b.
+// A smooth union is at most min(a, b) and at least min(a, b) minus the depth of the blend, which it
+// reaches where a = b.
 static void check_depth(int operation, double depth)
 {
     float *values = values_of(operation);
@@ -147,8 +149,8 @@ static void check_depth(int operation, double depth)
         }
     }
     free(values);
-    print_message("# operation %d: its depth at %d points, min at %d, between at %d\n", operation,
-                  middle, outside, between);
+    print_message("# operation %d: full depth at %d points, min(a, b) at %d, in between at %d\n",
+                  operation, middle, outside, between);
     assert_true(middle > 1000 && outside > 1000 && between > 1000);
 }
 
@@ -158,9 +160,9 @@ TEST(test_smooth_unions_lie_between_min_and_min_less_their_depth)
     check_depth(QUADRATIC, blend / 4.0);
 }
 
-// The share of b is the slope in b, that of a is the slope in a, and both add up to 1, because
-// adding h to both distances adds h to the union.
-//   truncation  of the differences
+// The share of b is the slope in b, and that of a is the slope in a. The slopes add up to 1,
+// because adding h to both distances adds h to the union.
+//   truncation  upper bound on the truncation error of the differences
 static void check_share(int operation, double truncation)
 {
     float *values = values_of(operation);
@@ -177,9 +179,10 @@ static void check_share(int operation, double truncation)
             assert_true(fabs(share - 0.5) < 1e-5);
     }
     free(values);
-    print_message("# operation %d: share off the slope by at most %.2g, allowed %.2g; slopes add "
-                  "up to 1 within %.2g\n",
-                  operation, worst, allowed, sum);
+    print_message(
+        "# operation %d: the share differs from the slope by at most %.2g (allowed: %.2g); "
+        "the slopes add up to 1 within %.2g\n",
+        operation, worst, allowed, sum);
     assert_true(worst <= allowed && sum <= allowed);
 }
 

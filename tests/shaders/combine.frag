@@ -1,9 +1,9 @@
 #version 330 core
-// For combine.c: two equal balls combined, at random points, with a second point near each.
+// For combine.c: two equal balls combined, at random points, with a second point near each point.
 //
-// Each item takes 4 pixels of a row: (p, f(p)), (q, f(q)), (a, b, the share of b, -), and the smooth
-// union at (a + h, b), (a - h, b), (a, b + h), (a, b - h). Time is the operation; iMouse contains half the
-// distance of the centres, the width of the blend, h, and the radius.
+// Each item takes 4 pixels of a row: (p, f(p)), (q, f(q)), (a, b, the share of b, -), and the smooth union at
+// (a + h, b), (a - h, b), (a, b + h), (a, b - h). Time is the operation; iMouse contains half the distance between the
+// centres, the width of the blend, h, and the radius.
 
 in float Time;
 out vec4 FragColor;
@@ -24,7 +24,7 @@ float right(vec3 p)
     return sdSphere(p - vec3(iMouse.x, 0.0, 0.0), iMouse.w);
 }
 
-// The cubic blend, or for 4 the quadratic.
+// The cubic smooth union, or the quadratic one if Time is 4.
 float blended(float a, float b)
 {
     return int(Time) == 4 ? opSmoothUnionQuadratic(a, b, iMouse.y) : opSmoothUnion(a, b, iMouse.y);
@@ -43,7 +43,7 @@ float asked(vec3 p)
     return blended(a, b);
 }
 
-// Every fourth point lies in the plane where a = b.
+// A quarter of the points are in the plane where a = b, and another quarter in a box of half the size.
 vec3 point(int item)
 {
     vec3 p = 2.0 * nextVector();

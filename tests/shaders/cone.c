@@ -1,5 +1,5 @@
-// cone.c - shaders/cone.glsl and the interval of a tetrahedron, as the GPU computes them along
-// random rays, compared with the same marches in double precision.
+// cone.c - shaders/cone.glsl along random rays on the GPU, compared with the same marches in double
+// precision; and the interval of a tetrahedron, compared with the points inside it.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -10,13 +10,13 @@
 enum { RAYS = 20, ITEMS_WIDE = 256, SLOTS = 4, ROWS = 32, ITEMS = ITEMS_WIDE * ROWS };
 enum { BALL, PLANE, PYRAMID };
 
-// The result for one ray.
+// The shader's results for one ray.
 struct ray_result {
     struct mirror_ray ray;
     double spread_of_pixel, march_t;
     double t;
     bool found;
-    int steps, first_steps; // of marchCone, and of the march before it
+    int steps, first_steps; // steps of marchCone, and of march on the same ray
     double entry, leave, share;
     int marches;
 };
@@ -69,7 +69,7 @@ struct state {
     double t;
     int steps;
     bool found;
-    double nearest_call; // how close the decision of a step was: |distance - threshold - spread t|
+    double nearest_call; // the smallest |distance - threshold - spread t| of all steps
 };
 
 static struct state march_in_cone(int scene, struct mirror_ray ray, double threshold, double spread)
@@ -95,16 +95,17 @@ static void check_cone(int scene, float threshold, float spread)
         struct ray_result r = result_of(values, i);
         struct state state = march_in_cone(scene, r.ray, (double)threshold, (double)spread);
         if (state.nearest_call < 1e-5 || fabs(state.t - FAR) < 1e-4)
-            continue; // rounding decides
+            continue; // rounding could change the result
         decided++;
         hits += state.found;
         assert_true(r.found == state.found && r.steps == state.steps);
         worst = fmax(worst, fabs(r.t - state.t));
     }
     free(values);
-    print_message("# scene %d, threshold %g, spread %g: %d rays decided, %d hits, t off by at most "
-                  "%.1g\n",
-                  scene, (double)threshold, (double)spread, decided, hits, worst);
+    print_message(
+        "# scene %d, threshold %g, spread %g: %d rays compared, %d hits, t off by at most "
+        "%.1g\n",
+        scene, (double)threshold, (double)spread, decided, hits, worst);
     assert_true(decided > ITEMS * 9 / 10 && hits > ITEMS / 10 && worst < 0.001);
 }
 
@@ -130,7 +131,7 @@ TEST(test_steps_run_out)
     assert_true(given_up > ITEMS / 10);
 }
 
-// The picture here is 32 pixels high, and the tests use a focal length of 1 or 2.
+// The picture is 32 pixels high, and the focal lengths are 1, 2 and 4.
 TEST(test_a_pixel_spreads_as_the_screen_says)
 {
     for (int k = 0; k < 3; k++) {
@@ -138,7 +139,7 @@ TEST(test_a_pixel_spreads_as_the_screen_says)
         float *values = call(BALL, 0.001f, 0.0f, 1.0f);
         double spread = result_of(values, 77).spread_of_pixel;
         free(values);
-        // Half a pixel of the screen, 1 / ROWS of its half height 1, seen from focal_length away.
+        // The screen has a half height of 1, and is focal_length away from the eye.
         double half_pixel = 0.5 * (mirror_screen_y(18.0, ROWS) - mirror_screen_y(17.0, ROWS));
         assert_true(fabs(spread * (1 << k) / half_pixel - 1.0) < 1e-6);
     }
@@ -147,7 +148,7 @@ TEST(test_a_pixel_spreads_as_the_screen_says)
 
 // ---- coneReaching ----
 
-// coneReaching in double precision: the smallest share over the same steps.
+// coneReaching in double precision.
 static double walked_share(int scene, struct mirror_ray ray, double threshold, double spread)
 {
     double t = 0.0, smallest = 1.0;
@@ -159,7 +160,8 @@ static double walked_share(int scene, struct mirror_ray ray, double threshold, d
     return fmax((smallest - 0.2) / 0.8, 0.0);
 }
 
-// How close the ray passes to the ball's centre, minus the radius; negative if it meets the ball.
+// The smallest distance from the ray to the ball's centre, minus the radius; it is negative if the
+// ray meets the ball.
 static double clearance(struct mirror_ray ray)
 {
     double nearest = fmax(-d3_dot(ray.origin, ray.direction), 0.0);
@@ -187,8 +189,8 @@ TEST(test_share_of_the_light)
         grey += r.share > 0.0 && r.share < 1.0;
     }
     free(values);
-    print_message("# %d free, %d blocked, %d grey, off by at most %.1g\n", free_rays, blocked, grey,
-                  worst);
+    print_message("# %d rays free, %d blocked, %d in between; share off by at most %.1g\n",
+                  free_rays, blocked, grey, worst);
     assert_true(free_rays > 100 && blocked > 100 && grey > 100 && worst < 0.002);
 }
 
@@ -200,7 +202,7 @@ static bool is_inside(struct d3 p)
            -p.x - p.y - p.z < 0.75;
 }
 
-// The points of a ray are inside from the entry to the exit, and nowhere else.
+// A point of a ray is inside the tetrahedron if, and only if, it is between the entry and the exit.
 TEST(test_interval_contains_what_is_inside)
 {
     float *values = call(BALL, 0.001f, 0.0f, 1.0f);

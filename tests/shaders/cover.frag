@@ -1,10 +1,11 @@
-// For bound.c: all rays are the same, towards or away from a plane, or past a ball.
+// For bound.c: all rays of the picture are the same; they run towards or away from a plane, or past
+// a ball.
 
 #include "main.glsl"
 #include "march.glsl"
 
 uniform float slope;     // 0.5 in [-1, 1]: sine of the angle between the ray and the plane; below 0 the ray moves away
-uniform float gap;       // 0 in [0, 4], scene units: how far beside a ball of radius 1 the ray passes; 0: the plane
+uniform float gap;       // 0 in [0, 4], scene units: distance between the ray and a ball of radius 1; 0 for the plane
 uniform float far;       // 20 in [0, 100], scene units: the length of the ray
 uniform float threshold; // 0.001 in [0.00001, 1], scene units: distance that counts as a hit
 

@@ -1,5 +1,5 @@
-// crossing.c - shaders/crossing.glsl towards random objects: the point where the distance falls to
-// the threshold is known in closed form, or found by bisection in double precision.
+// crossing.c - marches of shaders/crossing.glsl towards random objects, whose distances along the
+// ray are computed in double precision.
 #include "lib/test.h"
 #include "lib/cell.h"
 #include "lib/gpu.h"
@@ -17,18 +17,20 @@ struct crossing {
     double evaluations;
 };
 
-//   row  0: marchCrossing, 1: marchCone
+// The result of one march.
+//   row  0 for marchCrossing, 1 for marchCone
 static struct crossing march_of(const float *values, int row, int number)
 {
     const float *v = values + 4 * (row * CASES + number);
-    // The views and the probe receive the end of the march; v[3] is -1 if they received another
-    // threshold or spread.
+    // v[3] is the end of the march as the views and the probe receive it, or -1 if they received
+    // another threshold or spread.
     assert_true(v[0] == v[3]);
     return (struct crossing){(double)v[0], v[1] > 0.5f, (double)v[2]};
 }
 
+// March to CASES objects with both marches. Returns four numbers per march, which the caller frees.
 //   aside  distance of the point from the ray
-//   start  the rays start at random positions from 0 to this; for a point, this far in front of it
+//   start  each march begins at a random t in [0, start), or, for a point, that far in front of it
 static float *marches(int function, double aside, double start)
 {
     const float numbers[4] = {(float)threshold, (float)spread, (float)aside, (float)start};
@@ -55,30 +57,32 @@ static double ball_distance(int number, double t)
     return hypot(middle_of(number) - t, 0.98 * lot(number, 1)) - 1.0;
 }
 
-// In front of a wall the end point is exact, wherever the march began; marchCone ends anywhere in
-// front of it.
+// In front of a wall, marchCrossing ends exactly at the threshold, wherever it began; marchCone may
+// end anywhere within the threshold.
 TEST(before_a_wall_it_is_exact)
 {
     float *values = marches(WALL, 0.0, 4.0);
     double worst = 0.0, cone = 0.0;
     for (int i = 0; i < CASES; i++) {
         double slope = 0.05 + 0.95 * lot(i, 1);
-        // slope (middle - t) = threshold + spread t
+        // At the true end, slope (middle - t) = threshold + spread t.
         double truth = (slope * middle_of(i) - threshold) / (slope + spread);
         struct crossing march = march_of(values, 0, i), other = march_of(values, 1, i);
         assert_true(march.found && other.found);
-        // A float near 10 is accurate to 5e-7, and the distance about as accurate: divide by the
-        // slope.
+        // A float near 10 is accurate to 5e-7, and the distance about as accurate. The error of t
+        // is that of the distance divided by the slope.
         worst = fmax(worst, slope * fabs(march.t - truth));
         cone = fmax(cone, slope * fabs(other.t - truth) / radius_at(truth));
     }
     free(values);
-    print_message("# off by at most %.2g; marchCone by %.2f thresholds\n", worst, cone);
+    print_message("# the end is off by at most %.2g; with marchCone by up to %.2f thresholds\n",
+                  worst, cone);
     assert_true(worst < 4e-6 && cone > 0.5);
 }
 
-// In front of a ball, the end point is where 0.7 r <= d <= r, because the distance is convex along
-// the ray; and nearly where d = r. K is at most 1 / (1 + d).
+// In front of a ball, the march ends where 0.7 r <= d <= r, because the distance is convex along
+// the ray; the end is close to the point where d = r. The second derivative of d is at most
+// 1 / (1 + d).
 TEST(before_a_ball_it_is_near)
 {
     float *values = marches(BALL, 0.0, 4.0);
@@ -93,13 +97,14 @@ TEST(before_a_ball_it_is_near)
         cone += fabs(ball_distance(i, other.t) - radius_at(other.t)) / radius_at(other.t);
     }
     free(values);
-    print_message("# |d - r| / r: mean %.4f, worst %.3f; marchCone's mean %.3f\n", sum / CASES,
+    print_message("# |d - r| / r: mean %.4f, largest %.3f; mean with marchCone %.3f\n", sum / CASES,
                   worst, cone / CASES);
     assert_true(sum < 0.02 * CASES && sum < 0.1 * cone);
 }
 
-// From two starts on the same ray, both marches end at one point, but those of marchCone at two.
-TEST(another_start_ends_in_the_same_place)
+// From two starts on the same ray, marchCrossing ends at nearly the same point, but marchCone at
+// two different points.
+TEST(another_start_ends_at_the_same_point)
 {
     float *first = marches(BALL, 0.0, 0.0), *second = marches(BALL, 0.0, 4.0);
     double apart[2] = {0.0, 0.0};
@@ -110,18 +115,19 @@ TEST(another_start_ends_in_the_same_place)
         }
     free(first);
     free(second);
-    print_message("# two starts end %.4f thresholds apart; of marchCone %.3f\n", apart[0],
-                  apart[1]);
+    print_message(
+        "# from two starts, the ends are %.4f thresholds apart on average; with marchCone %.3f\n",
+        apart[0], apart[1]);
     assert_true(apart[0] < 0.1 * apart[1]);
 }
 
-// The march never steps over a point that is within 0.988 thresholds of the ray, and never hits one
-// that is farther away than 1 threshold. marchCone misses some of the former.
+// marchCrossing never steps over a point that is within 0.988 thresholds of the ray, and never
+// finds a point that is more than 1 threshold away. marchCone misses some of the former.
 TEST(thin_things_are_found)
 {
     int passed = 0;
     for (int k = 0; k < 2; k++) {
-        // The threshold at the point is smallest at 6 and largest at 10.
+        // The points are at t from 6 to 10, and the threshold grows with t.
         double aside = k == 0 ? 0.988 * radius_at(6.0 - 0.05) : 1.001 * radius_at(10.0 + 0.05);
         float *values = marches(POINT, aside, 0.2);
         for (int i = 0; i < CASES; i++) {
@@ -132,12 +138,13 @@ TEST(thin_things_are_found)
         }
         free(values);
     }
-    print_message("# marchCone passes by %d of them\n", passed);
+    print_message("# marchCone misses %d of the points at t < 6.2\n", passed);
     assert_true(passed > 10);
 }
 
-// Slopes, some of which end in a surface and some above it: no surface is stepped over, and no
-// returned point is nearer to one than 0.7 of the threshold before.
+// Along these rays, the distance falls to a minimum and rises again; some of the minima are
+// negative. The march never passes a minimum of less than 0.7 thresholds, and never returns a point
+// with a distance of less than 0.7 times the threshold half a unit before.
 TEST(no_surface_is_passed)
 {
     float *values = marches(SLOPES, 0.0, 4.0);
@@ -161,7 +168,7 @@ TEST(no_surface_is_passed)
     assert_true(hits > 1000 && misses > 500);
 }
 
-// The total of evaluations is hardly larger than marchCone's.
+// On average, marchCrossing takes at most three evaluations more than marchCone.
 TEST(it_takes_little_more)
 {
     float *values = marches(WALL, 0.0, 4.0);

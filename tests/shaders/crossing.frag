@@ -1,6 +1,7 @@
 #version 330 core
-// For crossing.c: marches towards random objects.
-// Time selects the function, iMouse contains numbers for it; x is the number of the case; the upper row is marchCone.
+// For crossing.c: marches towards random objects, with marchCrossing in the lower row and marchCone in the upper one.
+// Time selects the object; x is the index of the case. iMouse contains the threshold, its growth, the distance of the
+// point from the ray, and the range of the start.
 
 in float Time;
 out vec4 FragColor;
@@ -18,8 +19,8 @@ float lot(int dimension)
     return cellRandom(ivec3(number, 0, dimension));
 }
 
-// Function 0: a point beside the ray. 1: a wall at an angle with a sine from 0.05 to 1. 2: a ball. 3: slopes that rise
-// from an object on both sides.
+// Object 0 is a point beside the ray, object 1 a wall whose angle with the ray has a sine from 0.05 to 1, object 2 a
+// ball, and object 3 a distance that rises linearly on both sides of its minimum.
 float sceneDistance(vec3 p)
 {
     float middle = 6.0 + 4.0 * lot(0);
@@ -38,7 +39,7 @@ void main()
     number = int(gl_FragCoord.x);
     traceReset(-1);
     Ray ray = Ray(vec3(0.0), vec3(1.0, 0.0, 0.0));
-    float start = iMouse.w * lot(3); // threshold in x, its growth in y
+    float start = iMouse.w * lot(3);
     start = function == 0 ? 6.0 + 4.0 * lot(0) - start : start;
     Hit hit = gl_FragCoord.y > 1.0 ? marchCone(ray, start, 20.0, iMouse.x, iMouse.y, 512)
                                    : marchCrossing(ray, start, 20.0, iMouse.x, iMouse.y, 512);

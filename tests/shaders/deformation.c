@@ -1,5 +1,6 @@
-// deformation.c - shaders/transform.glsl: the largest stretch of twist, bend, displacement and
-// height field, measured in double over many points, is the one that each header states.
+// deformation.c - the largest stretch of the twist, the bend, a displacement and a height field,
+// measured in double precision at many points and compared with the value that
+// shaders/transform.glsl states.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/matrix.h"
@@ -9,7 +10,7 @@
 enum { TWIST = 10, BEND, STRETCH = 22 };
 enum { WIDE = 256, ROWS = 64, ITEMS = WIDE * ROWS, SLOTS = 4 };
 
-// The numbers of ITEMS items, each of 4 slots of 4 floats; the caller frees them.
+// The shader's results for ITEMS items: 4 slots of 4 floats each. The caller frees them.
 static float *ask(int function, float a, float b, float c)
 {
     return gpu_call(SHADER, WIDE * SLOTS, ROWS, function, (const float[4]){a, b, c});
@@ -40,7 +41,7 @@ static double stretch_at(map function, struct d3 p, double rate)
     return m3_largest_stretch(&m);
 }
 
-// The largest stretch over many points of a cylinder around an axis (0 x, 1 y, 2 z).
+// The largest stretch over many points of a cylinder around an axis: 0 for x, 1 for y, 2 for z.
 static double stretch_in_cylinder(map function, double rate, double radius, int axis)
 {
     double largest = 0.0;
@@ -57,8 +58,8 @@ static double stretch_in_cylinder(map function, double rate, double radius, int 
     return largest;
 }
 
-// The largest |f(p) - f(q)| / |p - q| over random pairs of the same cylinder, which never exceeds
-// the largest stretch.
+// The largest |f(p) - f(q)| / |p - q| over random pairs of points of the same cylinder, which never
+// exceeds the largest stretch.
 static double stretch_of_pairs(map function, double rate, double radius, int axis)
 {
     double largest = 0.0;
@@ -94,8 +95,8 @@ static void check_deformation(const char *name, int which, map function, int axi
         double measured = stretch_in_cylinder(function, rate, radius, axis);
         double pairs = stretch_of_pairs(function, rate, radius, axis);
         print_message(
-            "# %s, rate %.1f, radius %.2f: stated %.4f, measured %.4f, pairs %.4f; GPU off "
-            "by %.1g\n",
+            "# %s, rate %.1f, radius %.2f: stretch stated %.4f, measured %.4f, of pairs of points "
+            "%.4f; GPU off by at most %.1g\n",
             name, rate, radius, stated, measured, pairs, worst);
         assert_true(worst < 5e-6);
         assert_true(measured <= stated * (1.0 + 1e-6) && measured > 0.999 * stated);
@@ -107,7 +108,8 @@ TEST(test_twist_stretches_as_stated)
 {
     check_deformation("twist", TWIST, twisted, 1);
     float *values = ask(TWIST, 1.0f, 1.0f, 0.0f);
-    assert_true(fabs((double)values[3] - 0.5 * (1.0 + sqrt(5.0))) < 1e-6); // not sqrt(2)
+    // The stretch is the golden ratio, not sqrt(2).
+    assert_true(fabs((double)values[3] - 0.5 * (1.0 + sqrt(5.0))) < 1e-6);
     free(values);
 }
 
@@ -116,7 +118,7 @@ TEST(test_bend_stretches_as_stated)
     check_deformation("bend", BEND, bent, 2);
 }
 
-// The slope of a function of space at p, from differences.
+// The length of a function's gradient at p, from differences.
 static double slope(double (*function)(struct d3), struct d3 p)
 {
     const double h = 1e-5;
@@ -128,7 +130,7 @@ static double slope(double (*function)(struct d3), struct d3 p)
     return d3_length(d3(c[0], c[1], c[2]));
 }
 
-// The bumps of chapters/experiments/05_stretched.frag: no slope is more than 0.045 x 14 = 0.63.
+// The bumps of chapters/experiments/05_stretched.frag, whose slope is at most 0.045 x 14 = 0.63.
 static double bumps(struct d3 p)
 {
     return 0.045 * sin(14.0 * p.x) * sin(14.0 * p.y) * sin(14.0 * p.z);
@@ -139,7 +141,7 @@ static double bumpy_ball(struct d3 p)
     return mirror_sphere(p, 0.6) + bumps(p);
 }
 
-// The waves of chapters/05_transforms.frag at time 0: no slope is more than 0.210.
+// The waves of chapters/05_transforms.frag at time 0, whose slope is at most 0.210.
 static double sea(struct d3 p)
 {
     return p.y - 0.060 * sin(0.45 * p.x + 1.20 * p.z) - 0.036 * sin(-1.10 * p.x + 1.70 * p.z) -
@@ -164,15 +166,15 @@ TEST(test_displacements_stretch_as_stated)
     double stated = (double)values[0], general = largest_slope(bumpy_ball, 0.7, 60);
     double alone = largest_slope(bumps, 0.7, 60);
     free(values);
-    print_message("# bumps: slope %.4f; on a ball stated %.4f, measured %.4f\n", alone, stated,
-                  general);
+    print_message("# bumps: largest slope %.4f; on a ball stated %.4f, measured %.4f\n", alone,
+                  stated, general);
     assert_true(alone <= 0.6301 && alone > 0.95 * 0.63);
     assert_true(fabs(stated - 1.63) < 1e-6 && general <= stated && general > 0.95 * stated);
     values = ask(STRETCH, 0.210f, 0.0f, 0.0f);
     double height = (double)values[1];
     double measured = largest_slope(sea, 12.0, 60);
     free(values);
-    print_message("# sea: stated %.5f, measured %.5f\n", height, measured);
+    print_message("# sea: largest slope stated %.5f, measured %.5f\n", height, measured);
     assert_true(fabs(height - sqrt(1.0 + 0.210 * 0.210)) < 1e-6);
     assert_true(measured <= height && measured > 0.99 * height);
 }

@@ -1,8 +1,8 @@
 #version 330 core
-// For numeric.c: the library's distances at random points, with a second point near each.
+// For numeric.c: the library's distances at random points, with a second point near each of them.
 //
-// Each item takes 4 pixels of a row: (p, f(p)), (q, f(q)), (differences of f at p, their length), 0.
-// Time selects the function; iMouse contains its sizes.
+// Each item takes 4 pixels of a row: (p, f(p)), (q, f(q)), and twice the slope of f at p from differences, with its
+// length. Time selects the function; iMouse contains the sizes of the solid.
 
 in float Time;
 out vec4 FragColor;
@@ -12,7 +12,7 @@ uniform vec4 iMouse;
 #include "random.glsl"
 #include "primitives.glsl"
 
-const float STEP = 0.0078125; // of the differences, scene units
+const float STEP = 0.0078125; // step of the differences, scene units
 
 float twoBalls(vec3 p)
 {

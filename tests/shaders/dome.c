@@ -1,9 +1,10 @@
-// dome.c - the whole sky of chapters 20 and 21 over 24 hours, as it is displayed: it is nowhere
-// black, has no spot at the zenith by day, and gets darker and darker through dusk.
+// dome.c - the whole sky of chapters 20 and 21 over 24 hours, as displayed. No part of it is black,
+// there is no bright spot at the zenith by day, and the sky darkens through dusk.
 #include "lib/test.h"
 #include "lib/chapter.h"
 
-// A column of the picture is an hour and an azimuth, a row is a height above the horizon.
+// A column of the picture is one of 64 times of day and one of 10 azimuths; a row is a height above
+// the horizon.
 enum { AZIMUTHS = 10, HOURS = CHAPTER_WIDTH / AZIMUTHS };
 
 #define DIRECTION                                                                                  \
@@ -18,7 +19,7 @@ static double shown(const float *values, int hour, int azimuth, int row)
     return fmax((double)at[0], fmax((double)at[1], (double)at[2]));
 }
 
-// The mean of a ring, or of several rings.
+// The mean of some rows at one time of day; each row is a ring of the sky.
 static double mean_of(const float *values, int hour, int from, int to)
 {
     double sum = 0.0;
@@ -36,8 +37,8 @@ static void judge(const char *what, const float *values, int sunset, int night)
             for (int azimuth = 0; azimuth < AZIMUTHS; azimuth++) {
                 double here = shown(values, hour, azimuth, row);
                 darkest = fmin(darkest, here);
-                // By day there are no stars. From 80 degrees on, compare with the ring 5 degrees
-                // lower.
+                // By day, when there are no stars, compare the sky from 80 degrees on with the ring
+                // 5 degrees lower.
                 if (row >= 320 && hour > 16 && hour < 48)
                     spot = fmax(spot, here / (mean_of(values, hour, row - 20, row - 19) + 0.02));
             }
@@ -45,8 +46,8 @@ static void judge(const char *what, const float *values, int sunset, int night)
         rise = fmax(rise, mean_of(values, hour + 1, 0, CHAPTER_HEIGHT) -
                               mean_of(values, hour, 0, CHAPTER_HEIGHT));
     print_message(
-        "# %s: darkest %.1f of 255, a spot overhead %.2f times its ring, dusk brighter than "
-        "22 minutes before by at most %.4f\n",
+        "# %s: darkest %.1f / 255; overhead at most %.2f times the ring 5 degrees lower; at dusk "
+        "at most %.4f brighter than 22 minutes before\n",
         what, 255.0 * darkest, spot, rise);
     assert_true(darkest > 1.0 / 255.0 && spot < 1.65 && rise < 0.01);
 }

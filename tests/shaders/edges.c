@@ -1,5 +1,5 @@
-// edges.c - the library at points where a formula could divide by zero: each value is finite and
-// right, on this driver too.
+// edges.c - the library at arguments where a formula could divide by zero: on this driver, each
+// value is finite and right.
 #include "lib/test.h"
 #include "lib/gpu.h"
 
@@ -15,11 +15,11 @@ TEST(the_edges_of_every_formula_are_finite_and_right)
         bool good =
             right <= -1e9 ? isfinite(value) : fabs(value - right) <= 2e-3 * fmax(fabs(right), 0.1);
         if (!good)
-            print_message("# case %d of edges.frag: %.7g, not %.7g\n", i, value, right);
+            print_message("# case %d of edges.frag is %.7g instead of %.7g\n", i, value, right);
         wrong += good ? 0 : 1;
     }
     free(values);
-    print_message("# %d values at edges\n", cases);
+    print_message("# %d values at the edges of formulas\n", cases);
     assert_int_equal(wrong, 0);
 }
 

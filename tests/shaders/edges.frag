@@ -1,7 +1,7 @@
 #version 330 core
-// For edges.c: the library's functions where a formula divides by zero, where an angle has no direction, and where a
+// For edges.c: the library's functions where a formula divides by zero, where a direction is undefined, and where a
 // power, a root or an arc function reaches the end of its range. Each case has the actual value and the right one.
-// iMouse is 0, so that the compiler cannot compute the values itself.
+// iMouse is 0, a value that the compiler does not know, so it cannot compute the results in advance.
 
 in float Time;
 out vec4 FragColor;
@@ -85,7 +85,7 @@ void main()
     vec3 x = vec3(1.0 + o, o, o), y = vec3(o, 1.0 + o, o), z = vec3(o, o, 1.0 + o);
     mat2x3 axes = mat2x3(x, z);
 
-    // Views. A ray along two faces, between them and beside them.
+    // Views; rays along two faces of a box, between these faces and beside them.
     edge(perspectiveRay(vec2(o)).direction, iCameraForward);
     edge(projectionRay(vec2(o), 5.0).direction, iCameraForward);
     edge(boxInterval(Ray(vec3(-2.0, 0.5, 0.5), x), vec3(o), vec3(1.0 + o)), vec2(2.0, 3.0));

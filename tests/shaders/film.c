@@ -1,5 +1,6 @@
-// film.c - shaders/film.glsl: the light behind a small opening by brute force, the curves' fixed
-// points and slopes, hue, the mean of a dithered colour, and the punch of chapter 15.
+// film.c - tests of shaders/film.glsl: the vignette compared with the light behind a small opening
+// by brute force, the fixed points and slopes of the curves, the hue, the mean of a dithered
+// colour, and the punch of chapter 15.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -9,9 +10,9 @@
 
 enum { VIGNETTE, CONTRAST, CURVE, HUE, DITHER };
 
-// The light that an evenly bright wall sends through a round opening of radius r to a point of the
-// film, f behind it: each element of the opening contributes the product of the cosines at both
-// ends over the square of the distance.
+// The light that a uniformly bright wall sends through a round opening of radius r to a point of
+// the film, at a distance of f behind the opening. Each element of the opening contributes the
+// product of the cosines at both ends, divided by the square of the distance.
 static double through_opening(double x, double y, double f, double r)
 {
     double sum = 0.0;
@@ -59,7 +60,7 @@ TEST(contrast_is_steepest_in_the_middle)
         assert_true(fabs(end - (1.0 - (double)amount)) < 0.012);
         for (int i = 1; i < 385; i++)
             assert_true(values[4 * i + 1] >= values[4 * i - 3]);
-        for (int i = 0; i < 385; i++) // the exposure, beside it
+        for (int i = 0; i < 385; i++) // the shader also returns a light of 0.3, exposed by v stops
             assert_true(fabs((double)values[4 * i + 2] - 0.3 * exp2((double)values[4 * i])) < 1e-6);
         free(values);
     }
@@ -93,8 +94,8 @@ TEST(the_film_keeps_grey_and_reaches_white)
     }
 }
 
-// The curve of the largest channel keeps the shares of the channels; a curve on each channel draws
-// them together.
+// Applied to the largest channel, the curve keeps the ratios of the channels; applied to each
+// channel, it brings them closer together.
 TEST(the_largest_channel_keeps_the_hue)
 {
     const float numbers[4] = {1.25f, 8.0f};
@@ -127,7 +128,7 @@ TEST(a_dither_has_each_step_once)
         }
         assert_true(fabs(sum) < 1e-6);
     }
-    // The mean of 8 x 8 rounded pixels is within 1/128 of a step of the colour, whatever it is.
+    // For every colour, the mean of 8 x 8 rounded pixels is within 1/128 of a step of the colour.
     double worst = 0.0, undithered = 0.0;
     for (int n = 0; n < 1000; n++) {
         double colour = 20.0 + n / 333.0, mean = 0.0;
@@ -137,12 +138,13 @@ TEST(a_dither_has_each_step_once)
         undithered = fmax(undithered, fabs(floor(colour + 0.5) - colour));
     }
     free(values);
-    print_message("# mean of 8 x 8 pixels: off by %.4f steps, without dither %.3f\n", worst,
+    print_message("# mean of 8 x 8 pixels: off by at most %.4f steps; without dither %.3f\n", worst,
                   undithered);
     assert_true(worst <= 1.0 / 128.0 + 1e-6 && undithered > 0.49);
 }
 
-// The picture as numbers before they are rounded, with a setting; the caller frees it.
+// The numbers of chapter 15's picture with one parameter set, before they are rounded. The caller
+// frees them.
 static float *picture_with(const char *setting)
 {
     struct renderer_inputs inputs = {.width = 80, .height = 45, .samples = 1};
@@ -152,7 +154,7 @@ static float *picture_with(const char *setting)
     return gpu_numbers(&inputs);
 }
 
-// At 1, the punch is a smoothstep of the encoded value, not of light.
+// With punch = 1, a smoothstep is applied to the encoded values, not to the light.
 TEST(punch_is_a_contrast_of_numbers)
 {
     float *plain = picture_with("punch=0"), *punched = picture_with("punch=1");

@@ -1,6 +1,6 @@
 #version 330 core
-// For film.c: the functions of film.glsl. Time selects the function, iMouse contains four numbers for it; x and y are
-// the pixel's coordinates.
+// For film.c: the functions of film.glsl. Time selects the function; iMouse contains some of its arguments, and the
+// pixel's coordinates determine the others.
 
 in float Time;
 out vec4 FragColor;
@@ -24,7 +24,7 @@ void main()
         float x = exp2((number.x - 192.0) / 16.0);
         FragColor = vec4(x, filmCurve(vec3(x), iMouse.x, iMouse.y).g, filmCurve(vec3(0.18), iMouse.x, iMouse.y).r,
                          filmCurve(vec3(-x), iMouse.x, iMouse.y).b);
-    } else if (function == 3) { // an orange, from dark to dazzling
+    } else if (function == 3) { // an orange light of increasing strength; iMouse: gamma, white
         vec3 light = vec3(1.0, 0.4, 0.05) * exp2(0.25 * number.x - 6.0);
         FragColor = vec4(number.y < 1.0 ? filmOfLargest(light, iMouse.x, iMouse.y)
                                         : filmCurve(light, iMouse.x, iMouse.y), light.r);

@@ -1,5 +1,5 @@
-// fog.c - shaders/fog.glsl compared with double precision: sums of thin slices, and the equation of
-// light in fog solved step by step.
+// fog.c - shaders/fog.glsl compared with double precision: with sums over thin slices, and with the
+// equation of light in fog solved step by step.
 #include "lib/test.h"
 #include "lib/gpu.h"
 
@@ -7,7 +7,8 @@
 
 enum { DECAY, DEPTH, SKY, INVERSE, LIGHT, HORIZON, LAMP, BEAM };
 
-// The density along a ray, and its integral with Simpson's rule over this many slices.
+// Air whose density falls with the height. Below are the density along a ray, and the integral of
+// this density with Simpson's rule over count slices.
 struct air {
     double height, density, scale;
 };
@@ -49,8 +50,8 @@ TEST(the_mean_of_a_decay_keeps_its_digits_near_0)
     assert_true(worst < 1e-6);
 }
 
-// Uniform fog and thin mist, seen from above and from inside, with horizontal rays and rays up and
-// down.
+// Uniform fog and layers of mist, seen from above and from inside. The shader's rays are
+// horizontal, climb or descend.
 static const float airs[][4] = {{1.6f, 0.05f, 1.5f},
                                 {0.0f, 0.2f, 0.4f},
                                 {1.6f, 0.05f, 1e6f},
@@ -68,7 +69,7 @@ TEST(the_depth_is_the_sum_of_thin_slices)
             const float *v = values + 4 * i;
             double climb = (double)v[0], t = (double)v[1];
             if (fabs(climb) * t / (double)airs[k][2] > 20.0)
-                continue; // the density itself is too large or too small for a float
+                continue; // along this ray the density changes by a factor of more than e^20
             double right = slices(air_of(airs[k]), climb, t, 2000);
             worst = fmax(worst, fabs((double)v[2] / right - 1.0));
         }
@@ -78,9 +79,9 @@ TEST(the_depth_is_the_sum_of_thin_slices)
     assert_true(worst < 1e-5);
 }
 
-// The ray goes from a height of 200 scales, where the density is 0 as a float, down to where it is
-// not. Computed from the upper end, the depth would be 0 times infinity. The lower end is known to
-// 200 times a float's rounding error.
+// The ray descends from a height of 200 scales, where the density is 0 as a float, to a height
+// where it is not. Computed from the upper end, the depth would be 0 times infinity. The height of
+// the lower end has 200 times the rounding error of a float.
 TEST(a_way_from_far_above_has_a_depth)
 {
     const float numbers[4] = {200.0f, 0.5f, 1.0f};
@@ -91,7 +92,7 @@ TEST(a_way_from_far_above_has_a_depth)
         double climb = (double)v[0], low = 200.0 + climb * (double)v[1];
         assert_true(isfinite(v[2]) && v[2] >= 0.0f);
         if (low > 80.0)
-            continue; // too small for a float
+            continue; // the depth is almost too small for a float
         double right = 0.5 * (exp(-low) - exp(-200.0)) / -climb;
         assert_true(fabs((double)v[2] / right - 1.0) < 1e-4);
         reached++;
@@ -100,7 +101,7 @@ TEST(a_way_from_far_above_has_a_depth)
     assert_true(reached > 1);
 }
 
-// The values from index 1 on are those of a ray so long that it leaves the fog.
+// The right value is the sum along a ray that climbs by 40 scales and so leaves the fog.
 TEST(the_sky_is_seen_through_a_finite_fog)
 {
     for (int k = 0; k < AIRS; k++) {
@@ -129,11 +130,11 @@ TEST(a_place_has_the_depth_that_was_asked_for)
         }
         free(values);
     }
-    print_message("# position of a depth: worst error of the depth's share %.2g\n", worst);
+    print_message("# point at a given depth: worst error %.2g of the whole depth\n", worst);
     assert_true(worst < 1e-5);
 }
 
-// dL/dt = density (fog - L), with the midpoint rule.
+// The test solves dL/dt = density (fog - L) with the midpoint rule.
 TEST(light_in_fog_obeys_its_equation)
 {
     const float numbers[4] = {2.0f, 0.7f, 0.3f};
@@ -151,8 +152,7 @@ TEST(light_in_fog_obeys_its_equation)
     assert_true(worst < 2e-6);
 }
 
-// The two sides of the horizon meet in the fog's own light, and near the horizon nothing else is
-// left.
+// Near the horizon, the sky above and the ground below both disappear in the fog's own light.
 TEST(the_horizon_is_the_fog)
 {
     const float none[4] = {0.0f};
@@ -170,7 +170,8 @@ TEST(the_horizon_is_the_fog)
     free(values);
 }
 
-// The sum of thin slices of 1 / distance^2, with the lamp 0.05 farther from the ray than it is.
+// The test adds up thin slices of 1 / distance^2, with the lamp 0.05 farther from the ray than it
+// is.
 TEST(the_light_round_a_lamp_is_the_sum_of_thin_slices)
 {
     static const float rays[][4] = {
@@ -184,7 +185,7 @@ TEST(the_light_round_a_lamp_is_the_sum_of_thin_slices)
             double a = (double)v[0], b = (double)v[1], c = (double)v[2];
             double nearest = -(x * a + y * b + z * c);
             double aside = sqrt(fmax(x * x + y * y + z * z - nearest * nearest, 0.0)) + 0.05;
-            // t - nearest = aside sinh s: slices that are thin where the lamp is close.
+            // With t - nearest = aside sinh s, the slices are thin where the lamp is close.
             double from = asinh(-nearest / aside),
                    to = asinh(((double)rays[k][3] - nearest) / aside);
             double sum = 0.0, step = (to - from) / 4000.0;
@@ -194,12 +195,12 @@ TEST(the_light_round_a_lamp_is_the_sum_of_thin_slices)
         }
         free(values);
     }
-    print_message("# round a lamp: worst relative error %.2g\n", worst);
+    print_message("# light around a lamp: worst relative error %.2g\n", worst);
     assert_true(worst < 2e-4);
 }
 
-// Where a ray crosses a beam at right angles, the light is a bell curve over the beam's width, and
-// it is zero if the ray ends before the beam.
+// Where a ray crosses a beam at right angles, its light follows a bell curve across the beam,
+// divided by the beam's width. The light is zero if the ray ends before the beam.
 TEST(a_beam_is_as_wide_as_it_says)
 {
     const float far[4] = {9.0f}, near[4] = {4.4f};

@@ -1,6 +1,6 @@
 // glass.c - shaders/glass.glsl, fresnel.glsl and caustic.glsl: the light that a surface reflects
-// and refracts, rays through a ball compared with their analytical path, what a straight ray loses,
-// and the light behind a ball.
+// and refracts, rays through a ball compared with their analytical path, the light that a straight
+// ray loses, the light behind a ball, the depth inside solids, and a white furnace.
 #include "lib/test.h"
 #include "lib/glass.h"
 #include "lib/gpu.h"
@@ -39,10 +39,10 @@ TEST(the_mirrored_share_is_fresnel_s)
         free(values);
     }
     print_message("# Fresnel: worst %.2g\n", worst);
-    assert_true(worst < 2e-4); // near the critical angle its slope is infinite
+    assert_true(worst < 2e-4); // near the critical angle, the slope of the share is infinite
 }
 
-// The share that passes through a surface is the same in both directions.
+// The share of the light that passes through a surface is the same in both directions along a ray.
 TEST(both_sides_mirror_the_same)
 {
     for (double c = 0.02; c < 1.0; c += 0.02) {
@@ -51,8 +51,8 @@ TEST(both_sides_mirror_the_same)
     }
 }
 
-// The numbers in the header of fresnel.glsl.
-TEST(schlick_is_off_by_what_is_said)
+// The errors that the header of schlickShare in fresnel.glsl states.
+TEST(schlick_is_off_by_the_stated_error)
 {
     static const double cases[][2] = {{1.333, 0.060}, {1.5, 0.036}};
     for (int k = 0; k < 2; k++) {
@@ -71,13 +71,13 @@ static double ball(struct d3 p)
 }
 
 struct through {
-    double inside; // distance from surface to surface
+    double inside; // length of the path inside the ball
     struct d3 left;
     bool done;
 };
 
-// The path of a ray that enters the ball at offset from the axis and leaves it again, marched in
-// double precision.
+// The path of a ray that meets the ball at the distance `offset` from the ball's axis and leaves
+// the ball again, marched in double precision.
 static struct through ball_marched(double offset, double turn, double index, double threshold,
                                    double start)
 {
@@ -99,7 +99,8 @@ static struct through ball_marched(double offset, double turn, double index, dou
     return way;
 }
 
-// The analytical path is deflected by 2 (i - j) towards the axis, and 2 cos(j) long inside.
+// The larger error of the direction and of the length inside. On the analytical path, the ray is
+// deflected by 2 (i - j) towards the axis, and its path inside the ball is 2 cos(j) long.
 static double ball_error(struct through way, double offset, double turn, double index)
 {
     double i = asin(offset), j = asin(offset / index), bend = 2.0 * (i - j);
@@ -121,7 +122,8 @@ TEST(ten_thousand_rays_go_through_a_ball)
     assert_true(worst < 1e-6);
 }
 
-// From a start half a threshold off the surface, every march inside ends where it starts.
+// If the start is half a threshold off the surface, every march inside ends where it starts; if it
+// is 2.5 thresholds off, none does.
 TEST(a_start_too_near_is_stranded)
 {
     const double threshold = 1e-4;
@@ -140,8 +142,8 @@ static double half_space(struct d3 p)
     return p.y;
 }
 
-// Above a flat face, each step multiplies the height by 1 + sin: a ray that leaves at a small angle
-// runs out of steps.
+// Above a flat face, each step multiplies the height by 1 + sin(angle), so a ray that leaves at a
+// small angle runs out of steps.
 TEST(a_flat_leave_runs_out_of_steps)
 {
     const double threshold = 0.0004, start = 2.5 * threshold, to_height_1[2] = {0.0, 1e9};
@@ -152,7 +154,7 @@ TEST(a_flat_leave_runs_out_of_steps)
         double height = start + t * sin(angle);
         assert_true(fabs(height / (start * pow(1.0 + sin(angle), 80.0)) - 1.0) < 1e-9);
         assert_true((height > 1.0) ==
-                    (sin(angle) > pow(1.0 / start, 1.0 / 80.0) - 1.0)); // 5.2 degrees
+                    (sin(angle) > pow(1.0 / start, 1.0 / 80.0) - 1.0)); // angle > 5.2 degrees
     }
 }
 
@@ -168,12 +170,12 @@ TEST(the_library_goes_the_same_way)
         worst = fmax(worst, ball_error(way, offset, turn, (double)numbers[0]));
     }
     free(values);
-    print_message("# the library: worst %.2g\n", worst);
-    assert_true(worst < 0.02); // the threshold over the cosine, at the rim
+    print_message("# through the ball with the library: worst error %.2g\n", worst);
+    assert_true(worst < 0.02); // at the rim, the error is the threshold divided by the cosine
 }
 
-// Rays march from the middle of a slab to its face: the first ray that does not leave is at asin(1
-// / n).
+// Rays march from the middle of a slab to its face, at increasing angles. The first ray that cannot
+// leave is at asin(1 / n).
 TEST(nothing_gets_out_beyond_the_critical_angle)
 {
     static const float indices[] = {1.333f, 1.5168f, 1.7283f};
@@ -189,7 +191,7 @@ TEST(nothing_gets_out_beyond_the_critical_angle)
             first = total && first == 0.0 ? angle : first;
         }
         free(values);
-        print_message("# index %.4f: total from %.2f degrees on, by the formula %.2f\n",
+        print_message("# index %.4f: total reflection from %.2f degrees on, by the formula %.2f\n",
                       (double)indices[k], first, critical);
         assert_true(fabs(first - critical) < 0.02);
     }
@@ -197,7 +199,7 @@ TEST(nothing_gets_out_beyond_the_critical_angle)
 
 // ---- What is left of the light ----
 
-TEST(ways_inside_multiply)
+TEST(shares_of_paths_inside_multiply)
 {
     const float none[4] = {0.0f};
     float *values = gpu_call(SHADER, 256, 1, ABSORBED, none);
@@ -224,14 +226,16 @@ TEST(a_straight_ray_meets_both_surfaces)
         }
         free(values);
     }
-    print_message("# straight: share %.2g, path %.2g\n", share, inside);
+    print_message("# straight ray: share off by at most %.2g, path by at most %.2g\n", share,
+                  inside);
     assert_true(share < 0.003 && inside < 0.01);
 }
 
 // ---- The light behind a ball ----
 
-// All the light within 0.96 of the radius comes out, minus the reflected part, whatever the plane.
-// The light that passes farther out is the share that the header states.
+// Every plane behind the ball receives all the light that enters within 0.96 of the radius, minus
+// the reflected part. The light that enters farther out is the share that the header of
+// caustic.glsl states.
 TEST(no_light_is_lost_behind_a_ball)
 {
     static const float cases[][2] = {
@@ -256,8 +260,8 @@ TEST(no_light_is_lost_behind_a_ball)
     }
 }
 
-// No light arrives at planes up to 0.9 of the radius behind the ball's centre: every ray leaves the
-// ball beyond 0.98 of it.
+// No light arrives at planes up to 0.9 radii behind the ball's centre, because every ray leaves the
+// ball at least 0.98 radii behind the centre.
 TEST(no_light_comes_before_it_has_left_the_ball)
 {
     for (int k = 1; k < 10; k++) {
@@ -269,9 +273,8 @@ TEST(no_light_comes_before_it_has_left_the_ball)
     }
 }
 
-// The truth comes from rays that are traced one by one and counted in rings. The position of the
-// light within its ring of b is unknown, and the rings of r here are as wide as one of b at the
-// edge.
+// The expected light comes from rays that are traced one by one and counted in rings of r.
+// ballCaustic spreads the light of each ring of b evenly, so the two agree only roughly.
 TEST(the_light_behind_a_ball_is_that_of_many_rays)
 {
     enum { RINGS = 12, RAYS = 200000 };
@@ -281,7 +284,8 @@ TEST(the_light_behind_a_ball_is_that_of_many_rays)
     for (int i = 0; i < RAYS; i++) {
         double b = 0.96 * (i + 0.5) / RAYS, j = asin(b / 1.5168), turn = 2.0 * (asin(b) - j);
         double passes = 1.0 - glass_fresnel(sqrt(1.0 - b * b), 1.0 / 1.5168);
-        // The point where the ray leaves the ball, and its path from there.
+        // The ray leaves the ball at (y, z), and meets the plane z = 1.2 at the distance r from the
+        // axis.
         double angle = asin(b) - turn, y = sin(angle), z = cos(angle);
         double r = fabs(y - (1.2 - z) * tan(turn));
         int ring = (int)(r / 0.075);
@@ -302,8 +306,9 @@ TEST(the_light_behind_a_ball_is_that_of_many_rays)
 
 // ---- Depths ----
 
-// No part of the surface is nearer than a shape claims, inside or outside: then no two points
-// differ by more than the distance between them. 4096 points are compared with 2341.
+// If the distances at two points never differ by more than the distance between the points, then no
+// part of the surface is nearer than a shape's distance claims, inside or outside. The test
+// compares 4096 points with 2341 points.
 TEST(the_tumbler_bounds_the_depth)
 {
     const float numbers[4] = {2.0f};
@@ -325,8 +330,9 @@ TEST(the_tumbler_bounds_the_depth)
     assert_true(inside > 300);
 }
 
-// And the depth is not less than the claim: from inside, a ray along the slope meets the surface at
-// that distance. Where the slope is not a unit vector, two parts of the surface are equally near.
+// The true depth is not more than the claimed one: the point at the claimed distance from a point
+// inside, along the slope, is on the surface. Where the length of the slope is not 1, two parts of
+// the surface are equally near; these points are left out.
 TEST(the_depth_is_exact_inside)
 {
     static const float shapes[] = {0.0f, 1.0f, 2.0f, 4.0f};
@@ -343,13 +349,13 @@ TEST(the_depth_is_exact_inside)
             worst = fmax(worst, fabs((double)v[1]));
         }
         free(values);
-        print_message("# shape %g: %d points inside, worst %.2g\n", (double)shapes[k], inside,
+        print_message("# shape %g: %d points inside, worst error %.2g\n", (double)shapes[k], inside,
                       worst);
         assert_true(inside > 200 && worst < 2e-3);
     }
 }
 
-// A block of two halves that touch claims that there is a surface between them.
+// The distance of a block made of two touching halves claims that there is a surface between them.
 TEST(a_union_has_a_wall_where_its_parts_touch)
 {
     const float numbers[4] = {3.0f};
@@ -360,7 +366,7 @@ TEST(a_union_has_a_wall_where_its_parts_touch)
         double depth = -mirror_box(p, d3(1.0, 0.5, 0.5)), claimed = -(double)values[4 * i + 3];
         if (depth <= 0.0)
             continue;
-        assert_true(claimed <= depth + 1e-6); // a lower bound all the same
+        assert_true(claimed <= depth + 1e-6); // the claim is still a lower bound
         worst = fmax(worst, depth - claimed);
     }
     free(values);
@@ -378,7 +384,7 @@ TEST(clear_glass_in_a_white_world_is_white)
         before = rest;
     }
     assert_true(rest.mean < 0.015 &&
-                rest.pixels < 0.02); // rays that go around and around in an edge
+                rest.pixels < 0.02); // some rays are mirrored again and again near an edge
 }
 
 TESTS(gpu_setup, gpu_teardown)

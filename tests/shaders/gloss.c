@@ -1,5 +1,5 @@
 // gloss.c - the highlights of shaders/gloss.glsl compared with their sources' formulas in double
-// precision, and the share of the light that each sends back, which is never more than all.
+// precision, and the share of the light that each sends back, which is never more than 1.
 #include "lib/test.h"
 #include "lib/gloss.h"
 #include "lib/gpu.h"
@@ -22,8 +22,8 @@ static struct d3 light_of(int x, int y)
     return d3(s * cos(turn), s * sin(turn), c);
 }
 
-// The highlight for each light compared with the source's formula; and the light sent back, as a
-// plain sum of the GPU's own values over the hemisphere, compared with the integral in double
+// Compare the highlight for each direction of light with the source's formula. Then compare the
+// light sent back, a plain sum of the GPU's values over the hemisphere, with the integral in double
 // precision.
 static void check(int number, gloss_model *model, double cosine, double roughness)
 {
@@ -39,15 +39,15 @@ static void check(int number, gloss_model *model, double cosine, double roughnes
             double truth = model(light, eye, parameter);
             worst = fmax(worst, fabs((double)v[0] - truth) / (0.01 + truth));
             sum += (double)v[0] * light.z * 2.0 * MIRROR_PI / (ROWS * (double)COLUMNS);
-            assert_true(v[1] == 0.0f); // nothing from behind
+            assert_true(v[1] == 0.0f); // no highlight from a light behind the surface
         }
     free(values);
     double albedo = gloss_albedo(model, parameter, roughness, eye_cosine);
-    print_message(
-        "# model %d, cosine %.2f, roughness %.2f: sends back %.4f, in double %.4f; worst %.2g\n",
-        number, cosine, roughness, sum, albedo, worst);
-    // The tolerances cover the rounding error of a cosine near 1 times the exponent, and the grid
-    // of the sum.
+    print_message("# model %d, cosine %.2f, roughness %.2f: sends back %.4f, in double precision "
+                  "%.4f; worst error %.2g\n",
+                  number, cosine, roughness, sum, albedo, worst);
+    // The first tolerance covers the rounding error of a cosine near 1, multiplied by the exponent;
+    // the second covers the error of a sum over a grid.
     assert_true(worst < 1e-4);
     assert_true(fabs(sum - albedo) < 1e-3);
     assert_true(sum <= 1.0 + 1e-3 && albedo <= 1.0 + 1e-3);
@@ -74,7 +74,7 @@ TEST(test_an_eye_behind_the_surface_sees_no_highlight)
     }
 }
 
-// The integral, whose directions follow the highlight, compared with a plain sum over the
+// gloss_albedo, whose half vectors follow the highlight, is compared with a plain sum over the
 // hemisphere.
 TEST(test_the_integral_is_the_sum)
 {
@@ -89,14 +89,14 @@ TEST(test_the_integral_is_the_sum)
                 sum += gloss_ggx(d3(s * cos(turn), s * sin(turn), c), eye, roughness) * c;
             }
             sum *= 2.0 * MIRROR_PI / SIDE / SIDE;
-            print_message("# roughness %.1f, cosine %.1f: %.5f, the sum %.5f\n", roughness, cosine,
-                          albedo, sum);
+            print_message("# roughness %.1f, cosine %.1f: integral %.5f, sum %.5f\n", roughness,
+                          cosine, albedo, sum);
             assert_true(fabs(sum - albedo) < 1e-4);
         }
 }
 
-// On a fine grid of both parameters, no more than all the light is sent back, and the mirrors'
-// areas add up to 1.
+// On a grid of both parameters, no model sends back more light than arrives; and the projected
+// areas of the mirrors of GGX add up to 1.
 TEST(test_no_light_is_made)
 {
     double most[2] = {0.0, 0.0};
@@ -106,7 +106,7 @@ TEST(test_no_light_is_made)
             most[0] = fmax(most[0], gloss_albedo(gloss_ggx, r, r, c));
             most[1] = fmax(most[1], gloss_albedo(gloss_blinn_phong, gloss_exponent(r), r, c));
         }
-    print_message("# most that is sent back: GGX %.5f, Blinn and Phong %.5f\n", most[0], most[1]);
+    print_message("# largest share sent back: GGX %.5f, Blinn and Phong %.5f\n", most[0], most[1]);
     assert_true(most[0] <= 1.0 + 1e-3 && most[1] <= 1.0 + 1e-3);
     float *values = values_of(0, 0.6, 0.8);
     double area = 0.0;
@@ -116,8 +116,8 @@ TEST(test_no_light_is_made)
     assert_true(fabs(area - 1.0) < 1e-3);
 }
 
-// The page says that the usual factor creates light, and that without a factor nearly all of it is
-// lost.
+// As the page says, the usual factor creates light. The library's factor sends back all the light
+// that arrives along the normal.
 TEST(test_the_usual_factors)
 {
     double usual = 0.0, at = 0.0;

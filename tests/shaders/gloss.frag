@@ -1,8 +1,9 @@
 #version 330 core
 // For gloss.c: highlights on a surface with the normal (0, 0, 1), for lights over the half-sphere.
 //
-// A pixel is a direction of light: its column is the rotation about the normal, its row the cosine to it. Time is the
-// model; iMouse contains the cosine to the eye, the parameter, and the number of rows.
+// A pixel is a direction of light: its column is the rotation about the normal, its row the cosine of the angle to the
+// normal. Time is the model; iMouse contains the cosine of the angle between the normal and the eye, the parameter, and
+// the number of rows.
 
 in float Time;
 out vec4 FragColor;

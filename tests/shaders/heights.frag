@@ -1,6 +1,6 @@
-// For texturing.c: heightOnSlide of a picture of heights, at the centre of a texel for each pixel of 64 x 64.
-// iTime is the axis, or 3 more than the axis for the gradient; otherwise the height is red. iMouse.x is the reach in
-// texels. A gradient g, per repeat, is shown as 1/2 + g / 4096.
+// For texturing.c: heightOnSlide of a picture of heights, at the centre of a texel for each of 64 x 64 pixels. iTime is
+// the axis, and the colour is the height; if iTime is 3 more than the axis, the colour is the gradient. iMouse.x is the
+// reach in texels. A gradient of g per repeat of the picture is shown as 1/2 + g / 4096.
 #include "main.glsl"
 #include "camera.glsl"
 #include "texture.glsl"

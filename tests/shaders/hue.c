@@ -1,5 +1,4 @@
-// hue.c - the GPU's colour of a hue compared with its definition, piece by piece, in double
-// precision.
+// hue.c - the GPU's colour of a hue compared with its piecewise definition in double precision.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -9,7 +8,8 @@ static float *values_of(int function, int rows)
     return gpu_call("tests/shaders/hue.frag", 1024, rows, function, (const float[4]){0});
 }
 
-// Figure 5 of the report, cut every 60 degrees: one channel stays at 1, one at 0, and one changes.
+// Figure 5 of the report, in pieces of 60 degrees: in each piece, one channel is 1, one is 0, and
+// one changes linearly.
 static struct d3 definition(double hue)
 {
     double turns = floor(hue / 360.0), degrees = hue - 360.0 * turns;
@@ -36,7 +36,8 @@ static double off(struct d3 a, struct d3 b)
     return fmax(fabs(a.x - b.x), fmax(fabs(a.y - b.y), fabs(a.z - b.z)));
 }
 
-// A hue of 1024 degrees is rounded to 6e-5 degrees, a millionth of 60.
+// The largest error of a channel. A hue near 1024 degrees is rounded by up to 6e-5 degrees, a
+// millionth of 60 degrees.
 static double worst_hue(int function, int rows, int count)
 {
     float *values = values_of(function, rows);
@@ -67,7 +68,7 @@ TEST(test_knees_are_exact)
                                       {0, 0, 1}, {1, 0, 1}, {1, 0, 0}};
     float *values = values_of(1, 4);
     for (int k = 0; k <= 6; k++) {
-        const float *v = values + 4 * (2048 + 120 * k); // the hue 60 k
+        const float *v = values + 4 * (2048 + 120 * k); // the hue of 60 k degrees
         assert_true(v[0] == 60.0f * (float)k);
         for (int channel = 0; channel < 3; channel++)
             assert_true(v[1 + channel] == knees[k][channel]);
@@ -77,7 +78,7 @@ TEST(test_knees_are_exact)
     free(values);
 }
 
-// The largest channel is the value, and the smallest is below it by saturation times value.
+// The largest channel is the value, and the smallest is less than it by saturation times value.
 TEST(test_saturation_and_value)
 {
     float *values = values_of(2, 4);

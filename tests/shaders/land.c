@@ -1,7 +1,7 @@
-// land.c - shaders/land.glsl and water.glsl in double precision: noise on the plane as a slice of
-// noise in space, slopes and the step that closes a gap, the mean of the waves over a pixel, the
-// light of all glitter; and the land of chapter 21: its bounds compared with a search for the
-// nearest land, and the share of the sun that it hides.
+// land.c - shaders/land.glsl and water.glsl compared with double precision: noise on the plane as a
+// slice of noise in space, slopes and the step that closes a gap, the mean of the waves over a
+// pixel, and the total light of the glitter. Also the land of chapter 21: its distance compared
+// with a search for the nearest land, and the share of the sun that it hides.
 #include "lib/test.h"
 #include "lib/chapter.h"
 #include "lib/noise.h"
@@ -36,7 +36,7 @@ TEST(noise_on_the_plane_is_a_slice_of_noise_in_space)
     }
     free(values);
     free(folded);
-    print_message("# noise on the plane: worst %.2g\n", worst);
+    print_message("# noise on the plane: worst error %.2g\n", worst);
     assert_true(worst < 1e-5);
 }
 
@@ -61,11 +61,12 @@ TEST(a_hill_is_not_steeper_than_its_bound)
     }
     free(values);
     double bound = 8.0 * sqrt(3.0) / 9.0 * 1.5 / 2.0;
-    print_message("# hill: worst %.2g; steepest %.4f, bound %.4f\n", worst, steepest, bound);
+    print_message("# hill: worst error %.2g; steepest slope %.4f, bound %.4f\n", worst, steepest,
+                  bound);
     assert_true(worst < 1e-4 && steepest <= bound && steepest > 0.99 * bound);
 }
 
-TEST(the_gap_closes_where_it_is_said)
+TEST(the_gap_closes_where_stated)
 {
     double worst = 0.0;
     for (int k = 0; k < 3; k++) {
@@ -82,8 +83,8 @@ TEST(the_gap_closes_where_it_is_said)
     assert_true(worst < 2e-6);
 }
 
-// Below the ground the result is negative, as the gap is. Where the root has no real value, it is
-// clamped to almost 0.
+// Below the ground, wayToClose is negative, as the gap is. Where the root has no real value, its
+// argument is clamped to 1e-9.
 TEST(below_the_ground_the_way_is_negative)
 {
     const float growth[4] = {5.0f, 1.0f, 0.0f, 0.0f};
@@ -94,7 +95,8 @@ TEST(below_the_ground_the_way_is_negative)
         double way = (double)values[4 * i + 2];
         assert_true(way < 0.0 && isfinite(way));
         if (slope * slope + 10.0 * gap < 0.0) {
-            assert_true(fabs(way * slope / (2.0 * gap) - 1.0) < 3e-4); // sqrt(1e-9) / slope
+            // The relative error is about sqrt(1e-9) / slope.
+            assert_true(fabs(way * slope / (2.0 * gap) - 1.0) < 3e-4);
             clamped++;
         }
     }
@@ -120,8 +122,9 @@ static double wave_slope(double x, double z)
 
 TEST(a_pixel_sees_the_mean_of_its_waves)
 {
-    // The pixel's Gaussian as a sum over 81 x 81 points; along each of its axes, the variance is a
-    // twelfth of the squared length.
+    // The mean over the pixel is a sum over 81 x 81 points, weighted with a Gaussian. Along each of
+    // the pixel's axes, the variance of the Gaussian is a twelfth of the squared length of the
+    // axis.
     const float axes[4] = {1.5f, 0.5f, -0.4f, 1.2f};
     float *values = gpu_call(SHADER, 24, 24, WAVES, axes);
     double worst = 0.0;
@@ -136,15 +139,15 @@ TEST(a_pixel_sees_the_mean_of_its_waves)
         }
         worst = fmax(worst, fabs((double)values[4 * i] - mean / weights));
     }
-    // The variance that the mean has lost and the remaining variance are together the variance of
-    // all points.
+    // The variance that the mean loses and the variance that remains add up to the variance over
+    // all positions.
     double all = 0.0, left = 0.0;
     for (int i = 0; i < 4; i++) {
         double a = wave_x[i] * 1.5 + wave_z[i] * 0.5, b = -wave_x[i] * 0.4 + wave_z[i] * 1.2;
         all += 0.25 * steep[i] * steep[i];
         left += 0.25 * steep[i] * steep[i] * exp(-(a * a + b * b) / 12.0);
     }
-    print_message("# waves: mean worst %.2g; variance lost %.6f, all %.6f\n", worst,
+    print_message("# waves: worst error of the mean %.2g; variance lost %.6f of %.6f\n", worst,
                   (double)values[2], all);
     assert_true(worst < 2e-6 && fabs((double)values[2] + left - all) < 1e-6);
     free(values);
@@ -152,8 +155,8 @@ TEST(a_pixel_sees_the_mean_of_its_waves)
 
 TEST(glitter_neither_makes_nor_loses_light)
 {
-    // Over all directions of the upper hemisphere, the light times the cosine adds up to pi times
-    // the light itself on a horizontal surface.
+    // Summed over all directions of the upper hemisphere, the reflected light times the cosine is
+    // pi times the light that a horizontal surface receives.
     for (int k = 0; k < 2; k++) {
         const float numbers[4] = {k == 0 ? 0.8f : 0.5f, 1.0f, 0.004f, 0.0f};
         float *values = gpu_call(SHADER, 256, 256, GLITTER, numbers);
@@ -163,7 +166,8 @@ TEST(glitter_neither_makes_nor_loses_light)
         sum *= 2.0 * MIRROR_PI / (256.0 * 256.0);
         free(values);
         double right = MIRROR_PI * (double)numbers[0];
-        print_message("# glitter at %.1f: %.4f of %.4f\n", (double)numbers[0], sum, right);
+        print_message("# glitter, sine of the light's height %.1f: %.4f of %.4f\n",
+                      (double)numbers[0], sum, right);
         assert_true(fabs(sum / right - 1.0) < 0.02);
     }
 }
@@ -189,7 +193,8 @@ static double shore(double x, double z)
     return 0.26 - 0.17 * sqrt(a * a + b * b + 0.04);
 }
 
-// The sums over the first octaves, without and with the rest of the weights.
+// A lower and an upper bound on the ridges from their first count octaves: the sum of these,
+// without and with the remaining weights.
 static void detail(double x, double z, int count, double *least, double *most)
 {
     double u = cells * x + 31.2, v = cells * z + 9.9, weight = 1.0 - gain, sum = 0.0, rest = 1.0;
@@ -215,7 +220,8 @@ static double land(double x, double z)
     return fmax(base + ridges * fmax(base - foot, 0.0) * most, shore(x, z));
 }
 
-// The largest of the bounds, which hold for all directions.
+// The distance to the land: the largest of the bounds for all directions, or the bound for the
+// shore if that is smaller.
 static double land_distance(struct d3 p)
 {
     double base = hills(p.x, p.z), high = ridges * fmax(base - foot, 0.0);
@@ -233,7 +239,7 @@ static double land_distance(struct d3 p)
     return fmin(d, (p.y - shore(p.x, p.z)) / 1.03);
 }
 
-// A point above the land, up to three units high.
+// A random point up to three units above the land or the water.
 static struct d3 random_position(void)
 {
     double x = rand() % 4 ? random_in(-40.0, 40.0) : random_in(-4.0, 2.0);
@@ -254,8 +260,8 @@ TEST(the_largest_bound_is_1_lipschitz)
         slopes = fmax(slopes, fabs(land(p.x, p.z) - land(q.x, q.z)) / (1e-3 * level));
     }
     print_message(
-        "# %d pairs: the distance changes by at most %.4f of the step; the land is no steeper "
-        "than %.2f, where the bound at the top is 14.8\n",
+        "# %d pairs: the distance changes by at most %.4f times the step; the largest slope of the "
+        "land is %.2f, and its bound at the top is 14.8\n",
         PAIRS, most, slopes);
     assert_true(most <= 1.0 + 1e-6 && slopes < 14.8);
 }
@@ -272,12 +278,13 @@ TEST(no_land_is_nearer_than_the_distance)
             double turn = 2.0 * MIRROR_PI * (k % AROUND) / AROUND,
                    far = d * (k / AROUND + 1) / STEPS;
             double height = land(p.x + far * cos(turn), p.z + far * sin(turn));
-            double low = p.y - sqrt(fmax(d * d - far * far, 0.0)); // of the ball above that point
+            // The height of the lower surface of the ball at this point.
+            double low = p.y - sqrt(fmax(d * d - far * far, 0.0));
             nearest = fmin(nearest, low - height);
         }
     }
     print_message(
-        "# %d balls of the distance: the land stays below each of them by at least %.2g\n",
+        "# %d balls with the distance as radius: the land stays below each ball by at least %.2g\n",
         POSITIONS, nearest);
     assert_true(nearest > -1e-9);
 }
@@ -288,7 +295,8 @@ TEST(no_land_is_nearer_than_the_distance)
 
 static const double highest = 18.8, disc = 0.0047;
 
-// Convert from the valley, with x to the right and z ahead, to the world or back.
+// Convert from the axes of the valley, with x to the right and z ahead, to those of the world, or
+// back.
 static struct d3 turned(struct d3 p)
 {
     return d3(0.4226 * p.x - 0.9063 * p.z, p.y, -0.9063 * p.x - 0.4226 * p.z);
@@ -302,8 +310,8 @@ static struct d3 sun_at(double hour)
               sin(p) * sin(d) + cos(p) * cos(d) * cos(h), -cos(d) * sin(h));
 }
 
-// The smallest of gap / distance of a ray from a point, over the land of the first octave, in small
-// steps; up to the point where the ray first meets the land.
+// The smallest ratio of the gap below a ray to the distance along the ray, over the land of the
+// first octave, found in small steps. The search ends where the ray first meets the land.
 static double skyline(struct d3 p, struct d3 direction)
 {
     double least = 1e9;
@@ -318,9 +326,9 @@ static double skyline(struct d3 p, struct d3 direction)
     return least;
 }
 
-// Hills, shore and heights, each divided by the bound on which the march relies, over the whole
-// valley.
-TEST(no_land_is_steeper_or_higher_than_is_said)
+// The slopes of the hills and of the shore and the height of the land, each divided by the bound on
+// which the march relies, at points all over the valley.
+TEST(no_land_is_steeper_or_higher_than_stated)
 {
     float *values = chapter_numbers(
         CHAPTER, "vec2 q = vec2(-60.0, -20.0) + vec2(0.3, 0.45) * pixel;"
@@ -339,8 +347,8 @@ TEST(no_land_is_steeper_or_higher_than_is_said)
     assert_true(most[0] > 0.99 && most[1] > 0.98 && most[2] > 0.9);
 }
 
-// Does the land leave a point of the disc visible? r and a are polar coordinates around its centre,
-// a measured from the right.
+// True if the land does not hide a point of the sun's disc. r and a are polar coordinates around
+// the centre of the disc; a is measured from the right.
 static bool sees(struct d3 p, struct d3 light, double r, double a)
 {
     struct d3 right = d3_unit(d3_cross(light, d3(0.0, 1.0, 0.0))), up = d3_cross(right, light);
@@ -348,7 +356,7 @@ static bool sees(struct d3 p, struct d3 light, double r, double a)
     return skyline(p, d3_unit(d3_add(light, aside))) > 0.0;
 }
 
-// The share of the disc that rays to all parts of it find free with small steps.
+// The visible share of the disc, from rays to 48 points spread evenly over it.
 static double free_share(struct d3 p, struct d3 light)
 {
     enum { RINGS = 4, TURNS = 12 };
@@ -359,8 +367,9 @@ static double free_share(struct d3 p, struct d3 light)
     return sum / (RINGS * TURNS);
 }
 
-// The fast share on the mountain compared with rays to the whole disc in the penumbra, where the
-// ends of the disc differ; elsewhere with a ray to one end.
+// The share that lightSeen computes on the mountain is compared with rays to the whole disc in the
+// penumbra, where only one end of the disc is visible; elsewhere, with a ray to the top of the
+// disc.
 TEST(the_sun_sets_behind_land_by_shares)
 {
     float *values = chapter_numbers(
@@ -388,9 +397,9 @@ TEST(the_sun_sets_behind_land_by_shares)
         count[rim]++;
     }
     free(values);
-    print_message("# the sun over the land: at %d points in the penumbra the share is off by "
-                  "%.4f on average, a hard shadow by %.4f; at %d others by %.4f; at %d by more "
-                  "than a half\n",
+    print_message("# the sun over the land: at %d points in the penumbra, the share is off by "
+                  "%.4f on average, and a hard shadow by %.4f; at %d other points, the share is "
+                  "off by %.4f; at %d points it is off by more than a half\n",
                   count[1], off[1] / count[1], hard / count[1], count[0], off[0] / count[0], wrong);
     assert_true(count[0] > 2000 && count[1] >= 8);
     assert_true(off[0] < 0.0075 * count[0] && off[1] < 0.45 * count[1]);

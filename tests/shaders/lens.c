@@ -1,5 +1,6 @@
 // lens.c - shaders/lens.glsl, samples.glsl and filter.glsl: rays of a thin lens compared with
-// similar triangles in double precision, cells of samples, and the densities of the three filters.
+// similar triangles in double precision, the cells of the samples, and the densities of the three
+// filters.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -8,8 +9,8 @@
 
 enum { RAYS, CONFUSION, CELLS, SQUARES, SHARES, PAIRS, OFFSETS };
 
-// A function of the shader with this many samples along each side of a pixel; the caller frees the
-// means.
+// The means of a function of the shader with this many samples along each side of a pixel. The
+// caller frees them.
 static float *means(int width, int height, int samples, int function, const float numbers[4])
 {
     struct renderer_inputs inputs = gpu_inputs(width, height, samples);
@@ -20,8 +21,8 @@ static float *means(int width, int height, int samples, int function, const floa
 
 // ---- The lens ----
 
-// All rays of a point in focus meet there; elsewhere they are as far apart as the cone from the
-// lens is wide.
+// All rays that the lens sends towards a point in focus meet there; at other depths, they are as
+// far apart as the cone from the lens to the point is wide.
 TEST(rays_meet_in_the_plane_in_focus)
 {
     static const double depths[] = {4.0, 1.0, 2.5, 9.0, 40.0};
@@ -41,8 +42,9 @@ TEST(rays_meet_in_the_plane_in_focus)
     }
 }
 
-// The lines through a point from all over the rim of the lens meet the plane in focus in a circle.
-// The image of that plane on the screen is scaled by focal length / focus.
+// The diameter of the circle of confusion of a point. The lines from the rim of the lens through
+// the point meet the plane in focus in a circle, whose image on the screen is scaled by focal
+// length / focus.
 static double confusion_of(double depth, double radius, double focus, double focal)
 {
     double low = 0.0, high = 0.0;
@@ -107,10 +109,10 @@ TEST(samples_lie_in_their_cells)
     }
 }
 
-// Two quantities that are sampled together, each in cells: over many pixels, the mean is that of
-// two independent random numbers. The corner of the square below x + y = 1/2 is an eighth of it.
-// With a single random number in each of 4,096 pixels, three standard deviations would be 3
-// sqrt(7/64 / 4096) = 0.0155.
+// Two quantities are sampled together, each in cells. Over many pixels, their joint distribution
+// must be that of two independent random numbers: the corner of the square below x + y = 1/2 is an
+// eighth of the square. With a single sample in each of 4,096 pixels, three standard deviations
+// would be 3 sqrt(7/64 / 4096) = 0.0155.
 TEST(pairs_are_sampled_without_bias)
 {
     assert_true(gpu_load(SHADER));
@@ -141,11 +143,11 @@ TEST(shares_are_those_of_tent_and_gaussian)
         assert_true(values[4 * i + 3] == 0.0f);
     }
     free(values);
-    print_message("# shares: tent %.2g, Gaussian %.2g off\n", tent, gaussian);
+    print_message("# shares: tent off by at most %.2g, Gaussian by at most %.2g\n", tent, gaussian);
     assert_true(tent < 1e-6 && gaussian < 5e-4);
 }
 
-// The share of a filter that lies below x, and the x of a share, found by bisection.
+// The share of a filter that is below x; and the x of a given share, found by bisection.
 static double share_below(int kernel, double x)
 {
     if (kernel == 0)
@@ -166,7 +168,8 @@ static double offset_of(int kernel, double share)
     return 0.5 * (low + high);
 }
 
-// The mean square of this many positions, each in the middle of an equal share.
+// The mean square of count positions, each in the middle of one of count equal shares of the
+// filter.
 static double mean_square(int kernel, int count)
 {
     double sum = 0.0;
@@ -176,7 +179,8 @@ static double mean_square(int kernel, int count)
 }
 
 // No filter shifts the picture, and a single sample is at the pixel's centre. Regular positions are
-// those of equal shares; jittered ones have the filter's own variance: 1/12, 1/6, 1/4.
+// in the middle of equal shares; jittered positions have the variance of the filter: 1/12, 1/6 or
+// 1/4.
 TEST(filters_are_centred_and_as_wide_as_said)
 {
     static const double variances[] = {1.0 / 12.0, 1.0 / 6.0, 0.25};

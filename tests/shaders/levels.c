@@ -1,5 +1,5 @@
-// levels.c - the level at which a texture is read, compared with the mean over the part that the
-// pixel covers.
+// levels.c - textures read at the level that fits a pixel's footprint, compared with the mean over
+// the part of the texture that the pixel covers.
 #include "lib/test.h"
 #include "lib/levels.h"
 
@@ -8,7 +8,7 @@ static int setup(void **state)
     return gpu_setup(state) == 0 && levels_open() ? 0 : -1;
 }
 
-// The largest difference between two readings, which are freed; infinite if one is missing.
+// The largest difference between two readings, or infinity if one is NULL. Frees both.
 static double apart(float *a, float *b)
 {
     double largest = HUGE_VAL;
@@ -22,15 +22,16 @@ static double apart(float *a, float *b)
     return largest;
 }
 
-// The largest difference between a footprint of n x n texels and a level.
+// The largest difference between a reading with a footprint of n x n texels and a reading at a
+// level.
 static double off_level(double n, double level)
 {
     return apart(levels_read(LEVELS_SIDES, n, n, 1.0, 1.0),
                  levels_read(LEVELS_LEVEL, level, 0.0, 1.0, 1.0));
 }
 
-// A footprint of a power of two is read at a whole level. Half a level off changes some point by
-// more than 0.02, so the texture differs between all levels.
+// A footprint whose side is a power of two is read at an integer level. Half a level more or less
+// changes some point by more than 0.02, so the texture differs between all levels.
 TEST(test_level_is_the_logarithm_of_the_texels)
 {
     for (int level = 0; level <= 6; level++) {
@@ -41,11 +42,11 @@ TEST(test_level_is_the_logarithm_of_the_texels)
     assert_true(off_level(0.25, 0.0) < 0.002); // a smaller footprint is read at level 0
 }
 
-// Without a level, a pixel shows one point of the part that it covers, so its error grows to the
-// picture's own spread. With the level it is at most 0.67 of that from 4 texels on, 0.55 from 8, a
-// quarter from 32. Four times the footprint is worse than the right one at every distance, and so
-// is a quarter of it from 8 on. Only half of it, which is sharper, is better, because level L blurs
-// over more than 2^L texels.
+// Without a level, a pixel shows one point of the part that it covers, so its error grows with the
+// footprint. With the level, the error is at most 0.67 of that from 4 texels on, 0.55 from 8 texels
+// on, and a quarter from 32 texels on. Four times the footprint is worse than the right one at
+// every size, and a quarter of it is worse from 8 texels on. About half of it, which is sharper, is
+// better, because level L blurs over more than 2^L texels.
 TEST(test_level_is_nearer_to_what_is_covered)
 {
     double last = 0.0;
@@ -61,8 +62,8 @@ TEST(test_level_is_nearer_to_what_is_covered)
 }
 
 // A texel of level L is a box of w = 2^L texels, with the variance w^2 / 12 on each axis; linear
-// interpolation between texels is a tent, with the variance w^2 / 6. Together that is the pixel's
-// own n^2 / 12 where w is n / sqrt(3): there the error is smallest.
+// interpolation between texels is a tent, with the variance w^2 / 6. Their sum is the variance of
+// the pixel, n^2 / 12, where w is n / sqrt(3). There the error is close to its minimum.
 TEST(test_best_level_is_where_the_variances_agree)
 {
     for (double n = 6.0; n <= 48.0; n *= 2.0) {
@@ -74,8 +75,9 @@ TEST(test_best_level_is_where_the_variances_agree)
     }
 }
 
-// On a floor, the footprint is long and narrow, and one level serves both sides. From 4 x 8 texels
-// on, it is closer than no level; below that, it blurs more than it helps.
+// On a floor, the footprint is long and narrow, and one level must serve both sides. From 4 x 8
+// texels on, the error is smaller than without a level; below that size, the level blurs more than
+// it helps.
 TEST(test_level_helps_on_a_floor)
 {
     for (double sine = 0.5; sine >= 0.0625; sine *= 0.5)
@@ -84,7 +86,7 @@ TEST(test_level_helps_on_a_floor)
                         0.9 * levels_error(n, n / sine, 0.0, sine));
 }
 
-// footprintOn passes the longer side, so the result is the same as with both sides passed by hand.
+// footprintOn computes the longer side, so the result is the same as with both sides given.
 TEST(test_footprint_of_a_floor_is_width_over_sine)
 {
     for (double sine = 1.0; sine >= 0.0625; sine *= 0.5)

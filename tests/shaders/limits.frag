@@ -1,7 +1,7 @@
 #version 330 core
-// For limits.c: marches far from the origin, towards sheets without thickness. Time selects the sheet; iMouse.x is how
-// far from the origin it is, y the threshold in multiples of the proved one, z the number of the first case, and w is 0.
-// x is the number of the case, y of the row.
+// For limits.c: marches far from the origin, towards sheets without thickness. Time selects the sheet; iMouse contains
+// the x coordinate of its middle, the threshold in multiples of the proved one, the index of the first case, and 0. A
+// pixel's x is the index of the case, and its y selects the results.
 
 in float Time;
 out vec4 FragColor;
@@ -13,12 +13,12 @@ out vec4 FragColor;
 #include "repetition.glsl"
 
 const float UNIT = 5.9604644775390625e-8; // the largest relative error of one rounding
-const float SIZE = 1.2;                   // no point of a sheet is farther from its middle
+const float SIZE = 1.2;                   // no point of a sheet is farther than this from its middle
 
 int number;
 vec3 middle;
 
-// The value, in a way that no compiler can combine with other terms.
+// The value, computed such that no compiler can combine it with other terms.
 vec3 opaque(vec3 v)
 {
     return uintBitsToFloat(floatBitsToUint(v) ^ uvec3(iMouse.w));

@@ -1,10 +1,11 @@
-// lipschitz.c - the distances of chapters whose solids are bent, carved or folded: between two
-// points they change by no more than the distance between the points, so no step of a march is too
-// long.
+// lipschitz.c - the distances of chapters whose solids are bent, carved or folded. Between two
+// points, no distance changes by more than the distance between the points, so no step of a march
+// is too long.
 #include "lib/test.h"
 #include "lib/chapter.h"
 
-// Where the points lie, and what has to be set before the distance is evaluated.
+// A chapter, opposite corners of the box that contains the points, and a statement to run before
+// the distance is evaluated.
 struct scene {
     const char *stem, *low, *high, *before;
 };
@@ -13,12 +14,13 @@ static const struct scene scenes[] = {
     {"09_sky_and_sunset", "-24.0, 0.0, -24.0", "24.0, 12.0, 24.0", ""},
     {"12_textures", "-1.85, 0.0, -0.62", "2.25, 1.6, 0.62", ""},
     {"14_occlusion", "-4.7, 0.0, -6.1", "4.7, 4.7, 1.4", ""},
-    // The image in the water is shifted by a bend of at most 0.16.
+    // The image in the water is shifted by `bend`, of at most 0.16 on each axis.
     {"18_sky_from_tables", "8.0, -14.0, -64.0", "50.0, 14.0, -32.0", "bend = 0.32 * r.yz - 0.16;"},
     {"20_clouds_and_weather", "-22.0, 0.0, -20.0", "-12.0, 7.0, -2.0", ""},
 };
 
-// Steps of 0.02 to 0.5; a float of up to 80 is off by 4e-6, so a slope over 0.02 is off by 4e-4.
+// The largest slope between pairs of points 0.02 to 0.5 apart. A float of up to 80 is off by at
+// most 4e-6, so a slope over 0.02 is off by at most 4e-4.
 static double steepest_slope(const struct scene *scene)
 {
     char body[900];
@@ -47,7 +49,7 @@ TEST(test_no_distance_changes_faster_than_one_moves)
     }
 }
 
-// Chapter 20 clips the rays of its coast to two boxes: no part of the coast lies outside them.
+// Chapter 20 clips the rays to its coast to two boxes. No part of the coast is outside them.
 TEST(test_the_boxes_contain_the_coast)
 {
     float *values = chapter_numbers(

@@ -1,5 +1,6 @@
-// marches.c - the marches of chapters/experiments/16_marches.glsl: their evaluations against
-// marches in double precision, and what they find against the truth.
+// marches.c - the marches of chapters/experiments/16_marches.glsl: their numbers of evaluations
+// compared with marches in double precision, and the surfaces that they find compared with the true
+// ones.
 #include "lib/test.h"
 #include "lib/marches.h"
 
@@ -19,7 +20,8 @@ static struct mirror_ray ray_of(const struct camera *camera, int pixel)
                              mirror_screen_y(pixel / WIDTH + 0.5, HEIGHT));
 }
 
-// Does the march in double stay the same if everything it compares moves by a few roundings?
+// True if the march in double precision takes the same steps and ends for the same reason when its
+// threshold is a few roundings smaller or larger.
 static bool settled(int stress, enum march_kind kind, struct mirror_ray ray,
                     const struct mirror_march *march)
 {
@@ -32,8 +34,8 @@ static bool settled(int stress, enum march_kind kind, struct mirror_ray ray,
     return true;
 }
 
-// The march of a pixel ends as the one in double does, with as many evaluations, except where
-// rounding may decide.
+// The march of a pixel ends as the march in double precision does, after the same number of
+// evaluations, except where rounding may decide. One pixel in 200 may differ.
 static void compare_counts(int stress, enum march_kind kind)
 {
     const struct march_scene *scene = &march_scenes[MARCH_STRESS + stress];
@@ -55,8 +57,9 @@ static void compare_counts(int stress, enum march_kind kind)
             picture.evaluations[i] != march.steps || picture.found[i] != (march.end == MIRROR_HIT);
     }
     march_free(&picture);
-    print_message("# %s, %s: %ld evaluations, in double %ld; of %d rays %d differ\n", scene->name,
-                  march_names[kind], sum, sum_in_double, compared, differ);
+    print_message(
+        "# %s, %s: %ld evaluations, in double precision %ld; of %d rays compared, %d differ\n",
+        scene->name, march_names[kind], sum, sum_in_double, compared, differ);
     assert_true(compared > WIDTH * HEIGHT * 9 / 10);
     assert_true(differ <= compared / 200);
     assert_true(labs(sum - sum_in_double) <= sum_in_double / 200);
@@ -77,8 +80,8 @@ static struct march_picture found_by(const struct march_scene *scene, enum march
     return march_draw(&gpu.renderer, scene, WIDTH, HEIGHT);
 }
 
-// What a sound march finds: nothing behind the first surface, and nothing farther from one than its
-// threshold.
+// A sound march finds every surface and ends at most one threshold behind it. Where it finds
+// something, it is nearer to a surface than its threshold.
 static void check_found(int stress, const struct march_picture *picture,
                         const struct camera *camera, double spread,
                         const struct mirror_march *truth)
@@ -163,9 +166,9 @@ TEST(costs_of_a_known_picture)
         found[i] = truly[i] = i % 2;
     }
     evaluations[0] = 10;
-    found[0] = true;  // nothing is there
-    found[1] = false; // missed
-    t[3] = 5.02;      // the next surface
+    found[0] = true;  // a hit without a surface
+    found[1] = false; // a missed surface
+    t[3] = 5.02;      // the next surface, behind the true one
     t[5] = 5.005;     // within the threshold
     struct march_picture picture = {16, 8, evaluations, t, found, 0.5},
                          truth = {16, 8, NULL, true_t, truly, 0.0};

@@ -1,4 +1,5 @@
-// measure.c - the numbers that the pages quote, compared with theory: see build/tests/measure.
+// measure.c - the numbers that the pages quote and build/tests/measure prints, compared with
+// theory.
 #include "lib/test.h"
 #include "lib/bound.h"
 #include "lib/measure.h"
@@ -6,10 +7,11 @@
 static void assert_near(double got, double expected, double share)
 {
     if (!(fabs(got - expected) <= share * fabs(expected)))
-        fail_msg("%g instead of %g within %g %%", got, expected, 100.0 * share);
+        fail_msg("%g instead of %g, to within %g %%", got, expected, 100.0 * share);
 }
 
-// The numbers are worst cases over points, so a few more points change them by some per cent.
+// The numbers are worst cases over a set of points, so a few more points change them by a few per
+// cent.
 TEST(test_normal_error_has_two_sides)
 {
     assert_near(measure_normal(0.01).central, 0.0017, 0.1);
@@ -21,17 +23,16 @@ TEST(test_normal_error_has_two_sides)
         assert_true(e.central <= 1.05 * (e.central_truncation + e.rounding));
         assert_true(e.forward <= 1.05 * (e.forward_truncation + e.rounding));
     }
-    // Where the formula's own error dominates, it is the one from Taylor's series.
+    // Where the truncation error dominates, it agrees with Taylor's series.
     assert_near(measure_normal(0.1).central, measure_normal(0.1).central_truncation, 0.02);
     assert_near(measure_normal(0.1).forward, measure_normal(0.1).forward_truncation, 0.02);
 }
 
 // ---- The two curves that the GPU draws about itself ----
 
-enum { CURVE_POINTS = 512, CURVES = 2 }; // central and forward differences
+enum { CURVE_POINTS = 512, CURVES = 2 }; // curves: central and forward differences
 
-// The differences that the formulas give for the unit normal n in double precision, without
-// rounding.
+// The central and the forward differences at the point n of the unit ball, in double precision.
 static void differences_at(struct d3 n, double step, double difference[CURVES][3])
 {
     for (int axis = 0; axis < 3; axis++) {
@@ -42,8 +43,8 @@ static void differences_at(struct d3 n, double step, double difference[CURVES][3
     }
 }
 
-// The quantity that the experiment measures, at its own points: the root mean square of the
-// formulas' own errors, degrees.
+// The root mean square of the truncation errors, in degrees, at the points at which the experiment
+// measures it.
 static void truncation(double h, double error[CURVES])
 {
     double squares[CURVES] = {0.0, 0.0};
@@ -62,24 +63,26 @@ static void truncation(double h, double error[CURVES])
         error[k] = sqrt(squares[k] / CURVE_POINTS) * 180.0 / MIRROR_PI;
 }
 
-// The angle, in degrees, of a curve in a column of 640x360 pixels: the middle of the pixels that
-// are yellow (central) or blue (forward) there.
+// The angle, in degrees, that a curve shows in a column of the 640x360 picture: from the mean
+// height of the pixels that are yellow (central) or blue (forward).
 static double drawn_angle(const float *pixel, int column, int curve)
 {
     double sum = 0.0, weight = 0.0;
     for (int y = 0; y < 360; y++) {
         const float *colour = pixel + 4 * (y * 640 + column);
         double yellow = (double)colour[0] - (double)colour[2];
-        double shown = curve == 0 ? yellow : -yellow - 0.1; // the ground and its lines are bluish
+        // The background and its lines are bluish.
+        double shown = curve == 0 ? yellow : -yellow - 0.1;
         sum += shown > 0.0 ? shown * (y + 0.5) : 0.0;
         weight += shown > 0.0 ? shown : 0.0;
     }
     return pow(10.0, 6.0 * sum / weight / 360.0 - 4.0);
 }
 
-// The truncation error is known. The rounding error is a constant over h: mostly that of a
-// coordinate near 10, a multiple of 2^-20, to which a driver's square root adds its own. A compiler
-// that subtracts the 10 first leaves only that of a length near 1, down to a sixteenth.
+// The truncation error is known. The rounding error is a constant divided by h. It is mostly that
+// of a coordinate near 10, a multiple of 2^-20, to which the error of the driver's square root is
+// added. If a compiler subtracts the 10 first, only the rounding error of a length near 1 remains,
+// which can be as small as a sixteenth.
 TEST(test_drawn_normal_error_is_truncation_and_rounding)
 {
     const double rounding[CURVES] = {5.7e-6, 6.7e-6}; // degrees times h
@@ -93,7 +96,8 @@ TEST(test_drawn_normal_error_is_truncation_and_rounding)
             double drawn = drawn_angle(pixel, column, k);
             if (!(drawn >= 0.99 * hypot(error[k], rounding[k] / h / 16.0) &&
                   drawn <= 1.01 * hypot(error[k], rounding[k] / h * 1.5)))
-                fail_msg("curve %d at h = %g: %g, with a truncation of %g", k, h, drawn, error[k]);
+                fail_msg("curve %d at h = %g: %g degrees, with a truncation error of %g", k, h,
+                         drawn, error[k]);
         }
     }
     free(pixel);
@@ -106,11 +110,12 @@ TEST(test_steps_to_a_plane_follow_the_formula)
         assert_int_equal(measure_plane_moves(angle, 0.001), moves);
         bound_ask(sin(angle * MIRROR_PI / 180.0), 0.0, 100.0, 0.001, answer);
         assert_true(answer[0] >= moves &&
-                    answer[0] <= moves + 2); // the library: one more, up to rounding
+                    answer[0] <= moves + 2); // the library counts one more, up to rounding
     }
     assert_int_equal(measure_plane_moves(90.0, 0.001), 1);
     assert_near(measure_plane_limit(60, 0.01), 4.3, 0.01);
-    // One evaluation more than the moves: just above the limit it is enough, just below it is not.
+    // A march takes one evaluation more than it makes moves. Just above the limit, the evaluations
+    // are enough; just below, they are not.
     for (int evaluations = 60; evaluations <= 256; evaluations *= 2) {
         double limit = measure_plane_limit(evaluations, 0.001);
         assert_true(measure_plane_moves(1.001 * limit, 0.001) + 1 <= evaluations);
@@ -132,7 +137,7 @@ TEST(test_steps_past_a_ball_follow_the_formula)
         assert_near(measure_ball_moves(0.0, threshold), sqrt(2.0 / threshold), 0.1);
 }
 
-// A ball of radius 1 that a ray hits at an angle; for the library's march.
+// A shader in which the library's march meets a ball of radius 1 at an angle.
 static const char ball[] = "#include \"main.glsl\"\n"
                            "#include \"march.glsl\"\n"
                            "#include \"primitives.glsl\"\n"
@@ -156,7 +161,7 @@ static double rate_of_library(double cosine)
     snprintf(setting, sizeof setting, "aside=%.9g", sqrt(1.0 - cosine * cosine));
     assert_true(parameters_assign(&gpu.renderer.parameters, setting));
     assert_true(renderer_probe(&gpu.renderer, &inputs, 1, 1, &probe));
-    // Closer than this, a float's rounding of t would show.
+    // Closer to the hit, the rounding of t as a float would dominate.
     for (int k = 0; k + 1 < probe.steps && hit - (double)probe.step[k].t > 3e-4; k++)
         rate = (hit - (double)probe.step[k + 1].t) / (hit - (double)probe.step[k].t);
     return rate;
@@ -171,8 +176,8 @@ TEST(test_rate_is_one_minus_the_cosine)
     }
 }
 
-// The normal at a hit is that of its foot: at the silhouette it differs from the normal at the
-// point that the ray meets.
+// The normal at the end of a march is that of the nearest point of the surface. At the silhouette,
+// it differs from the normal at the point that the ray meets.
 TEST(test_normal_at_the_foot_is_near)
 {
     for (double radius = 0.1; radius < 2.0; radius *= 1.7)
@@ -185,7 +190,7 @@ TEST(test_normal_at_the_foot_is_near)
     assert_near(measure_foot(0.27, 5e-4), 3.39, 0.02);
 }
 
-// Counting pixels gives the radius to about 0.1.
+// Counting pixels gives the radius to about 0.1 pixels.
 TEST(test_threshold_fattens_the_outline)
 {
     for (double threshold = 0.001; threshold < 0.2; threshold *= 3.0)

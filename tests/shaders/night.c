@@ -1,6 +1,6 @@
-// night.c - shaders/night.glsl compared with double precision: every star by brute force, the light
-// of a star while the sky turns, how uniform the stars are, phases by counting, and dusk by
-// published brightness.
+// night.c - shaders/night.glsl compared with double precision: the light of the stars with a sum
+// over all stars, the light of a star while the sky turns, the uniform distribution of the stars,
+// the phases of the moon by counting points, and dusk with published values.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -10,11 +10,12 @@
 
 // ---- Stars ----
 
-// The graphics card evaluates four cells, this test all stars: none may be cut off at a cell's
-// border.
+// The graphics card evaluates four cells, and this test sums over all stars: no star may be cut off
+// at the border of a cell.
 TEST(test_four_cells_are_enough)
 {
-    // Width and reach; the last one is around a pole.
+    // The width of a pixel, and how far from the pole the points reach; the last case is around the
+    // pole.
     const float asked[][2] = {{0.0031f, 2.0f}, {0.002f, 2.0f}, {0.0056f, 2.0f}, {0.0031f, 6e-4f}};
     for (int k = 0; k < 4; k++) {
         float *values = gpu_call(SHADER, 1024, 64, 0, (const float[4]){asked[k][0], asked[k][1]});
@@ -28,7 +29,7 @@ TEST(test_four_cells_are_enough)
             met += truth > 0.0;
         }
         free(values);
-        print_message("# width %.4f: %d of 65536 points see a star, off by at most %.2g\n",
+        print_message("# width %.4f: %d of 65536 points see a star, light off by at most %.2g\n",
                       (double)asked[k][0], met, worst);
         assert_true(met > 5000 && peak > 40.0 && worst < 0.03);
     }
@@ -51,8 +52,10 @@ static double patch_light(const float look[4], struct d3 middle, double reach)
     return sum;
 }
 
-// The smallest and the largest ratio of that light to the true value, in a hundred frames.
-//   look  see patchDirection in night.frag; each frame turns the sky by step radians
+// The smallest and the largest ratio of the light of a patch to its true value, in a hundred
+// frames.
+//   look  as for patchDirection in night.frag; each frame turns the sky by step radians
+//   ends  receives the two ratios
 static void light_of_frames(float look[4], double step, struct d3 middle, double reach,
                             double truth, double ends[2])
 {
@@ -78,12 +81,13 @@ TEST(test_a_star_keeps_its_light_while_the_sky_turns)
     for (int i = 0; i < STAR_COUNT; i++)
         star[i] = stars_all()[i];
     qsort(star, STAR_COUNT, sizeof *star, brighter);
-    for (int k = 0; k < 4; k++) { // four bright stars, in a wide window, nearly flat at the star
+    for (int k = 0; k < 4; k++) { // the four brightest stars, in a window nearly flat around each
         struct d3 p = star[k].direction;
         double ends[2];
         float look[4] = {0.0028f, (float)p.z, (float)atan2(p.y, p.x)};
         light_of_frames(look, 0.000611, p, 0.03, star[k].light, ends);
-        print_message("# star %d: light seen over light sent %.4f to %.4f\n", k, ends[0], ends[1]);
+        print_message("# star %d: ratio of light seen to light sent from %.4f to %.4f\n", k,
+                      ends[0], ends[1]);
         assert_true(ends[0] > 0.96 && ends[1] < 1.03 && ends[1] < 1.02 * ends[0]);
     }
 }
@@ -103,13 +107,14 @@ TEST(test_a_patch_keeps_its_light_while_the_sky_turns)
         double ends[2];
         float look[4] = {0.0028f, (float)positions[k][0], (float)positions[k][1]};
         light_of_frames(look, 0.0003, p, 0.13, truth, ends);
-        print_message("# patch at z = %.4f: light seen over light sent %.4f to %.4f\n",
+        print_message("# patch at z = %.4f: ratio of light seen to light sent from %.4f to %.4f\n",
                       positions[k][0], ends[0], ends[1]);
         assert_true(ends[0] > 0.98 && ends[1] < 1.02 && ends[1] < 1.02 * ends[0]);
     }
 }
 
-// Octants of the sphere, rotated so that no border of a cell coincides with theirs.
+// The octants of the sphere are rotated so that none of their borders coincides with the border of
+// a cell.
 TEST(test_every_octant_has_its_eighth)
 {
     const struct star *star = stars_all();
@@ -130,8 +135,9 @@ TEST(test_every_octant_has_its_eighth)
     assert_true(worst < 3.0 * sigma);
 }
 
-// The article's stars: the cubes of a grid of side 1 / 400 that the sphere meets, counted in caps
-// of 12 degrees around an axis, the midpoint of an edge and a corner.
+// The article's stars are the cubes of a grid of side 1 / 400 that the sphere meets. They are
+// counted in caps with a radius of 12 degrees around an axis, the direction to the midpoint of an
+// edge, and the direction to a corner.
 TEST(test_cubes_crowd_towards_the_diagonal)
 {
     const int side = 400;
@@ -155,7 +161,7 @@ TEST(test_cubes_crowd_towards_the_diagonal)
             }
         }
     static const char *const around[] = {"an axis", "the middle of an edge", "a corner"};
-    // The mean of |x| + |y| + |z| over each cap, from a fine sum.
+    // The formula is the mean of |x| + |y| + |z| over each cap, here a sum over 400 x 400 points.
     for (int c = 0; c < 3; c++) {
         double sum = 0.0, weight = 0.0;
         struct d3 across = d3_unit(d3_cross(towards[c], d3(0.3, 0.5, 0.8)));
@@ -170,7 +176,7 @@ TEST(test_cubes_crowd_towards_the_diagonal)
                 sum += fabs(p.x) + fabs(p.y) + fabs(p.z);
                 weight += 1.0;
             }
-        print_message("# cubes per square of their side, around %s: %.3f, by the formula %.3f\n",
+        print_message("# cubes per square of their side, around %s: %.3f; by the formula %.3f\n",
                       around[c], (double)count[c] / area, sum / weight);
         assert_true(fabs((double)count[c] / area / (sum / weight) - 1.0) < 0.01);
     }
@@ -188,13 +194,14 @@ TEST(test_counts_follow_their_law)
     }
     for (int m = 2; m < 9; m++) {
         double law = STAR_COUNT * pow(10.0, 0.51 * (m - 1.0 - 7.607));
-        print_message("# brighter than magnitude %d: %d; law %.0f\n", m - 1, count[m], law);
+        print_message("# stars brighter than magnitude %d: %d; by the law %.0f\n", m - 1, count[m],
+                      law);
         assert_true(fabs(count[m] - law) < 3.5 * sqrt(law));
     }
 }
 
-// Wien's colours compared with Planck's, for the full range of star temperatures, relative to
-// green.
+// The colours by Wien's law, relative to green, compared with those by Planck's law, over the full
+// range of the stars' temperatures.
 TEST(test_colours_are_nearly_those_of_a_black_body)
 {
     for (int k = 0; k < 3; k++) {
@@ -232,11 +239,11 @@ TEST(test_the_sky_turns_in_a_sidereal_day)
     }
     free(values);
     double late = 24.0 * 60.0 - 23.9344696 * 60.0;
-    print_message("# a star is back %.2f minutes earlier each day\n", late);
+    print_message("# a star returns %.2f minutes earlier each day\n", late);
     assert_true(fabs(late - 3.93) < 0.005);
 }
 
-// The moon from right ascension and hour angle, as in a calendar.
+// The direction to the moon from its right ascension and hour angle, as in an almanac.
 static struct d3 moon_at(double hour, double latitude, double declination, double age)
 {
     double e = radians(23.4393), sun = asin(sin(radians(declination)) / sin(e));
@@ -291,7 +298,8 @@ TEST(test_the_lit_share_is_that_of_the_cosine)
     assert_true(worst < 1e-3);
 }
 
-// The picture itself: the pixels of moonFace that are brighter than earthshine can be.
+// In the picture itself, the lit pixels of moonFace are those that are brighter than earthshine can
+// be.
 TEST(test_the_face_is_lit_on_the_side_of_the_sun)
 {
     static const char text[] = GPU_COURSE
@@ -315,13 +323,15 @@ TEST(test_the_face_is_lit_on_the_side_of_the_sun)
         }
         free(values);
         double truth = 0.5 - 0.5 * cos(2.0 * MIRROR_PI * age / 29.530589);
-        print_message("# age %2d: %.4f of the face is lit, of %.4f\n", age, lit / disc, truth);
+        print_message("# age %2d days: %.4f of the face is lit, expected %.4f\n", age, lit / disc,
+                      truth);
         assert_true(disc > 8e5 && fabs(lit / disc - truth) < 1e-3);
     }
 }
 
-// moonlight is the light that moonFace sends from a uniform ball of albedo 0.12, over the true
-// disc.
+// moonlight is the light that moonFace sends from a uniform ball with an albedo of 0.12 and the
+// size of the true disc. This function gives its change with the phase, except for the factor
+// exp(-0.94 phase).
 static double ball_light(double phase)
 {
     double sum = 0.0;
@@ -347,22 +357,23 @@ TEST(test_moonlight_is_the_light_of_the_face)
         double truth = 25.0 * exp(-0.94 * phase) * ball_light(phase);
         assert_true(fabs((double)values[4 * i + 2] - truth) < 0.002 * truth + 0.002);
     }
-    // The brightness of the whole moon: C. W. Allen, section 66: V = -12.73 + 1.49 g + 0.043 g^4.
+    // The brightness of the whole moon according to C. W. Allen, section 66: V = -12.73 + 1.49 g +
+    // 0.043 g^4.
     double worst = 0.0;
     for (int i = 0; i <= 150; i += 10) {
         double g = radians(i), allen = pow(10.0, -0.4 * (1.49 * g + 0.043 * pow(g, 4.0)));
         double ours = exp(-0.94 * g) * ball_light(g);
         worst = fmax(worst, fabs(ours / allen - 1.0));
         if (i % 30 == 0)
-            print_message("# phase %3d: %.4f of the full moon's light, Allen %.4f\n", i, ours,
-                          allen);
+            print_message("# phase %3d degrees: %.4f of the full moon's light, Allen %.4f\n", i,
+                          ours, allen);
     }
-    print_message("# off by at most %.0f %%; the half moon gives %.1f %%\n", 100.0 * worst,
-                  100.0 * exp(-0.94 * radians(90.0)) * ball_light(radians(90.0)));
+    print_message("# off by at most %.0f %%; a half moon gives %.1f %% of the full moon's light\n",
+                  100.0 * worst, 100.0 * exp(-0.94 * radians(90.0)) * ball_light(radians(90.0)));
     assert_true(worst < 0.12);
-    // In lux: unit times pi times 4000 cd/m2.
+    // In lux: the value times pi times 4000 cd/m2, the unit of light.
     double lux = 2.5e-5 * MIRROR_PI * 4000.0, allen = 2.54e-6 * pow(10.0, 0.4 * 12.73);
-    print_message("# full moon %.3f lx above the air, Allen's magnitude %.3f lx\n", lux, allen);
+    print_message("# full moon: %.3f lx above the air, %.3f lx by Allen's magnitude\n", lux, allen);
     assert_true(fabs(lux / allen - 1.0) < 0.03);
     free(values);
 }
@@ -376,11 +387,11 @@ TEST(test_dusk_is_as_bright_as_measured)
     for (int i = 0; i < 1024; i++) {
         double depth = -degrees(asin((double)values[4 * i])), d = depth - 5.0;
         double light = 1e-6 * (double)values[4 * i + 1];
-        if (d >= 0.0 && d <= 10.0) { // Patat and others, table 1, V; 108,000 cd/m2 have magnitude 0
+        if (d >= 0.0 && d <= 10.0) { // Patat and others, table 1, V; magnitude 0 is 108,000 cd/m2
             double patat = 1.08e5 / 4000.0 * pow(10.0, -0.4 * (11.84 + 1.518 * d - 0.057 * d * d));
             assert_true(fabs(light / patat - 1.0) < 1e-3);
         }
-        assert_true(light >= before * (1.0 - 1e-5)); // it only increases as the sun rises
+        assert_true(light >= before * (1.0 - 1e-5)); // the light never decreases as the sun rises
         before = light;
         double magnitude = -2.5 * log10(light / 27.0);
         double seen = 7.93 - 5.0 * log10(1.0 + pow(10.0, 4.316 - magnitude / 5.0));
@@ -391,7 +402,7 @@ TEST(test_dusk_is_as_bright_as_measured)
     values = gpu_call(SHADER, 19, 1, 5, (const float[4]){1.0f}); // the table of the page
     for (int depth = 0; depth <= 18; depth += 3) {
         const float *v = values + 4 * depth;
-        print_message("# sun %2d down: %.3g cd/m2, faintest star %.1f, %.1f stops\n", depth,
+        print_message("# sun %2d degrees down: %.3g cd/m2, faintest star %.1f, %.1f stops\n", depth,
                       4e-3 * (double)v[1], (double)v[2], (double)v[3]);
     }
     free(values);

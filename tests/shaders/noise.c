@@ -1,5 +1,6 @@
-// noise.c - shaders/noise.glsl: values and gradients on the GPU compared with double precision, and
-// the Lipschitz constants that the headers state, which are never exceeded, but reached.
+// noise.c - values and gradients of shaders/noise.glsl on the GPU compared with double precision,
+// and the Lipschitz constants that its comments state: none is exceeded, and those of value noise
+// and gradient noise are reached.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/matrix.h"
@@ -14,7 +15,7 @@ enum { WIDE = 256, ROWS = 64, ITEMS = WIDE * ROWS, SLOTS = 4, PAIRS = 1000000 };
 static const double value_stretch = 15.0 / 8.0;
 static const double gradient_stretch = 2.7922884880; // sqrt(499) / 8
 
-// The numbers of ITEMS items, each of 4 slots of 4 floats; the caller frees them.
+// The shader's results for ITEMS items: 4 slots of 4 floats each. The caller frees them.
 static float *ask(int function, float a, float b, float c)
 {
     return gpu_call(SHADER, WIDE * SLOTS, ROWS, function, (const float[4]){a, b, c});
@@ -30,8 +31,8 @@ static void compare(const float *slot, struct noise truth)
     worst_gradient = fmax(worst_gradient, d3_length(d3_sub(d3_of(slot + 1), truth.gradient)));
 }
 
-// Coordinates are about 20 and have an error of 1e-6, octaves four times that; the gradients change
-// by at most 15 per cell, those of the octaves by 8 times as much.
+// Coordinates of about 20 have an error of 1e-6, and those of the octaves about four times that.
+// The gradients change by at most 15 per cell, and those of the octaves by 8 times as much.
 TEST(test_the_gpu_agrees_with_double)
 {
     static const char *const names[] = {"value noise", "gradient noise", "four octaves"};
@@ -96,7 +97,7 @@ TEST(test_directions_have_length_1)
         sum = d3_add(sum, truth);
     }
     free(values);
-    assert_true(d3_length(sum) / ITEMS < 0.02); // no side is preferred
+    assert_true(d3_length(sum) / ITEMS < 0.02); // no direction is preferred
 }
 
 // ---- The gradients are those of the values ----
@@ -119,7 +120,7 @@ TEST(test_gradients_are_slopes)
                           functions[which](d3_sub(p, d3_times(h, n))).value;
             worst = fmax(worst, fabs(rise / (2.0 * h) - d3_dot(n, functions[which](p).gradient)));
         }
-    print_message("# differences and gradients: %.2g apart\n", worst);
+    print_message("# gradients differ from finite differences by at most %.2g\n", worst);
     assert_true(worst < 1e-7);
 }
 
@@ -139,8 +140,8 @@ static double stretch_of_pairs(struct noise (*function)(struct d3), int pairs)
     return largest;
 }
 
-// In a product of probability spaces, the variance is at least that of its first-order part, so the
-// bound needs only this: slope^2 <= 4 (15/8)^2 fade (1 - fade).
+// In a product of probability spaces, the variance is at least that of its first-order part. The
+// bound therefore needs only one inequality: slope^2 <= 4 (15/8)^2 fade (1 - fade).
 TEST(test_the_lemma_of_the_fade)
 {
     double largest = 0.0;
@@ -153,8 +154,9 @@ TEST(test_the_lemma_of_the_fade)
     assert_true(largest > 0.999999 * value_stretch);
 }
 
-// All sets of eight numbers 0 or 1, on a grid of the cell. The length of the gradient is a convex
-// function of the numbers, so no other numbers between 0 and 1 give more.
+// The length of the longest gradient on a grid in the cell, for all sets of eight numbers that are
+// 0 or 1. The length is a convex function of the numbers, so no other numbers between 0 and 1 give
+// a longer gradient.
 static double steepest_blend(int grid)
 {
     double largest = 0.0;
@@ -185,10 +187,10 @@ TEST(test_value_noise_has_its_constant)
     assert_true(reached <= value_stretch * (1.0 + 1e-12) && reached > 0.99 * value_stretch);
 }
 
-// A bound for the gradient's length at x, for any eight directions. The gradient is the sum over
-// the corners of A g with A = weight I + (gradient of the weight) (x - corner)^T. By the
-// Cauchy-Schwarz inequality, with the numbers r = sqrt(weight), its square is at most the sum of r
-// times the largest eigenvalue of the sum of A A^T / r.
+// An upper bound on the length of the gradient at x, for any eight directions g. The gradient is
+// the sum over the corners of A g with A = weight I + (gradient of the weight) (x - corner)^T. By
+// the Cauchy-Schwarz inequality, the square of its length is at most the sum of the numbers
+// r = sqrt(weight), times the largest eigenvalue of the sum of A A^T / r.
 static double bound_of_slopes(struct d3 x)
 {
     double roots = 0.0, m[3][3] = {{0.0}};
@@ -214,20 +216,21 @@ static double bound_of_slopes(struct d3 x)
                 for (int l = 0; l < 3; l++)
                     m[i][j] += a[i][l] * a[j][l] / sqrt(w);
     }
-    // The largest stretch of a symmetric matrix without negative eigenvalues is the largest
+    // The largest stretch of a symmetric matrix without negative eigenvalues is its largest
     // eigenvalue.
     struct m3 matrix = {{d3(m[0][0], m[1][0], m[2][0]), d3(m[0][1], m[1][1], m[2][1]),
                          d3(m[0][2], m[1][2], m[2][2])}};
     return sqrt(roots * m3_largest_stretch(&matrix));
 }
 
-// The directions that make the slope along x steepest at the centre of the cell.
+// The length of the gradient at the centre of the cell, for the directions that make the slope
+// along x steepest.
 static double reached_by_slopes(void)
 {
     struct d3 direction[8], middle = d3(0.5, 0.5, 0.5);
     for (int k = 0; k < 8; k++) {
         struct d3 away = d3_sub(middle, d3(k & 1, k >> 1 & 1, k >> 2));
-        double slope = (k & 1 ? 1.0 : -1.0) * 15.0 / 32.0; // of the weight, along x
+        double slope = (k & 1 ? 1.0 : -1.0) * 15.0 / 32.0; // slope of the weight along x
         direction[k] = d3_unit(d3_add(d3(0.125, 0.0, 0.0), d3_times(slope, away)));
     }
     return d3_length(noise_slopes(middle, direction).gradient);
@@ -240,7 +243,7 @@ TEST(test_gradient_noise_has_its_constant)
     double stated = (double)values[1], largest = 0.0;
     struct d3 where = {0};
     free(values);
-    for (int i = 0; i <= GRID; i++) // half the cell; the rest is its mirror image
+    for (int i = 0; i <= GRID; i++) // a 48th of the cell; by symmetry, the rest gives the same
         for (int j = 0; j <= i; j++)
             for (int k = 0; k <= j; k++) {
                 struct d3 x = d3(0.5 * i / GRID, 0.5 * j / GRID, 0.5 * k / GRID);
@@ -259,7 +262,8 @@ TEST(test_gradient_noise_has_its_constant)
     assert_true(reached > 0.99 * gradient_stretch && reached <= gradient_stretch * (1.0 + 1e-9));
 }
 
-// The values lie within the range that the header states, and come close to its ends.
+// The values are within the ranges that the comments of noise.glsl state, and come close to the
+// ends of the ranges.
 TEST(test_ranges)
 {
     double low = 1.0, high = 0.0, most = 0.0;
@@ -288,8 +292,8 @@ static struct noise asked_octaves(struct d3 p)
     return noise_octaves(p, 4, asked_gain, 2.0);
 }
 
-// The sum of the octaves' constants is never exceeded. Divided by the weights, it stays bounded
-// exactly if gain x lacunarity < 1.
+// The stated constant of the octaves is never exceeded. It stays bounded for any number of octaves
+// if, and only if, gain x lacunarity < 1.
 TEST(test_octaves_have_their_constant)
 {
     static const float gains[] = {0.3f, 0.45f, 0.5f, 0.7f};
@@ -311,9 +315,9 @@ TEST(test_octaves_have_their_constant)
     }
 }
 
-// No two lattice points nearer than 1,565 cells have the same bits: all pairs are checked. c
-// follows from a and b, because LATTICE_STEP.z is odd.
-TEST(test_lattice_points_agree_far_away_alone)
+// No two lattice points that are less than 1,565 cells apart have the same bits: the test checks
+// all differences (a, b, c). c follows from a and b, because LATTICE_STEP.z is odd.
+TEST(test_lattice_points_agree_only_far_away)
 {
     const uint32_t x = 0x8da6b343u, y = 0xd8163841u, z = 0xcb1ab31fu;
     uint32_t inverse = z;
@@ -326,7 +330,7 @@ TEST(test_lattice_points_agree_far_away_alone)
             int32_t c = (int32_t)((0u - x * (uint32_t)a - y * (uint32_t)b) * inverse);
             nearest = fmin(nearest, d3_length(d3(a, b, c)));
         }
-    print_message("# lattice points with the same bits are %.1f apart at least\n", nearest);
+    print_message("# lattice points with the same bits are at least %.1f apart\n", nearest);
     assert_true(nearest > 1565.0);
     assert_true(noise_bits(1039, -243, 1146) == noise_bits(0, 0, 0));
 }

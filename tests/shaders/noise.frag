@@ -1,7 +1,7 @@
 #version 330 core
 // For noise.c: the functions of noise.glsl at random points.
 //
-// Each item takes 4 pixels of a row. Time selects the function; iMouse contains its numbers.
+// Each item takes 4 pixels of a row. Time selects the function; iMouse contains its arguments.
 
 in float Time;
 out vec4 FragColor;
@@ -20,7 +20,7 @@ vec4 asked(int which, vec3 p)
     return octaveNoise(p, int(iMouse.x), iMouse.y, iMouse.z);
 }
 
-// Eight random numbers, four of them at a time.
+// Four random numbers in [-1, 1).
 vec4 nextFour()
 {
     vec3 v = nextVector();
@@ -37,13 +37,13 @@ void main()
         vec3 p = 20.0 * nextVector();
         slots[0].xyz = p;
         slots[1] = asked(which, p);
-    } else if (which == 3) { // eight numbers at the corners
+    } else if (which == 3) { // eight random numbers at the corners
         vec3 x = 0.5 + 0.5 * nextVector();
         slots[0].xyz = x;
         slots[2] = nextFour();
         slots[3] = nextFour();
         slots[1] = blendedValues(x, slots[2], slots[3]);
-    } else if (which == 4) { // one corner with a direction of its own
+    } else if (which == 4) { // a random corner with a random direction
         vec3 x = 0.5 + 0.5 * nextVector(), corner = step(0.0, nextVector());
         slots[0].xyz = x;
         slots[2].xyz = corner;

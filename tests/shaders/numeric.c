@@ -1,5 +1,5 @@
-// numeric.c - the library's functions as the GPU computes them, against double precision and
-// against a brute force that shares no formula with them.
+// numeric.c - the library's functions on the GPU, compared with double precision and with
+// brute-force methods that share no formula with them.
 #include <float.h>
 
 #include "lib/test.h"
@@ -13,7 +13,8 @@ enum { SPHERE, PLANE, BOX, FRAME, TWO_BALLS };
 
 enum { ITEMS_WIDE = 256, SLOTS = 4, ROWS = 256, ITEMS = ITEMS_WIDE * ROWS };
 
-// What C passes to the shader: sizes in x, y, z, and w for a radius, a height or a beam.
+// A function of the shader and its arguments: sizes in x, y and z; a radius, a height or a beam in
+// w.
 struct sizes {
     int function;
     float v[4];
@@ -64,9 +65,9 @@ static double brute(const struct sizes *sizes, struct d3 p)
     }
 }
 
-// The possible rounding error of a distance: a subtraction or two, three squares, their sum and a
-// root, each off by at most one rounding of numbers no larger than |p| + |sizes|. A generous count
-// is 6; 2.5 were observed.
+// An upper bound on the rounding error of a distance. One or two subtractions, three squares, their
+// sum and a root are each off by at most one rounding of a number no larger than |p| + |sizes|. Six
+// roundings in total are generous; at most 2.5 were observed.
 static double rounding(const struct sizes *sizes, struct d3 p)
 {
     double size = d3_length(d3_of(sizes->v)) + fabs((double)sizes->v[3]);
@@ -95,14 +96,14 @@ TEST(test_distances_agree_with_double)
             worst = fmax(worst, error / rounding(&all_sizes[k], p));
         }
         free(values);
-        print_message("# function %d, %d points: largest error %.2f of the bound for rounding\n",
+        print_message("# function %d, %d points: largest error %.2f times the bound for rounding\n",
                       all_sizes[k].function, 2 * ITEMS, worst);
         assert_true(worst <= 1.0);
     }
 }
 
-// Sphere, plane and box are exact everywhere; frame and union are exact outside, and inside they
-// are at most the depth.
+// The distances to sphere, plane and box are exact everywhere. Those to frame and union are exact
+// outside; inside, their size is at most the depth.
 TEST(test_distances_are_exact_or_a_bound)
 {
     for (int k = 0; k < SIZES; k++) {
@@ -123,7 +124,7 @@ TEST(test_distances_are_exact_or_a_bound)
             }
         }
         free(values);
-        print_message("# function %d: %d points outside, %d inside, a bound only at %d\n",
+        print_message("# function %d: %d points outside, %d inside, only a bound at %d\n",
                       sizes->function, outside, inside, short_of);
         assert_true(inside > 100 && outside > 1000);
         assert_true(sizes->function < FRAME ? short_of == 0 : short_of > 10);
@@ -151,9 +152,10 @@ TEST(test_distances_are_1_lipschitz)
     }
 }
 
-// The gradient has length 1 except where the nearest point changes: at the centre, and on the
-// medial surfaces. Central differences of step h are affected within h of such a surface; near an
-// edge with radius of curvature r, they are off by h^2 / (6 r^2).
+// The gradient has length 1 except where the nearest point jumps: at the centre, and on the medial
+// surfaces. Central differences with a step of h are wrong within h of such a surface. Beside an
+// edge, where the level surfaces have a radius of curvature of r, the differences are off by
+// h^2 / (6 r^2).
 TEST(test_gradients_have_length_1_almost_everywhere)
 {
     for (int k = 0; k < SIZES; k++) {
@@ -167,7 +169,7 @@ TEST(test_gradients_have_length_1_almost_everywhere)
             off += fabs((double)slot[11] - 1.0) > 0.002;
         }
         free(values);
-        print_message("# function %d: of %d gradients %d have a length other than 1\n",
+        print_message("# function %d: of %d gradients, %d have a length other than 1\n",
                       all_sizes[k].function, asked, off);
         assert_true(off < asked / 50);
     }
@@ -180,7 +182,8 @@ static float *values_of(int function, int rows)
     return gpu_call(VALUES, 1024, rows, function, (const float[4]){0});
 }
 
-// pow is its only inexact function, so a hundredth of a step of the screen's 255 is allowed.
+// pow is the only inexact function of the encoding, so an error of a hundredth of one of the
+// screen's 255 steps is allowed.
 TEST(test_encoding_agrees_with_double_and_rises)
 {
     enum { COUNT = 1024 * 12 };
@@ -197,7 +200,7 @@ TEST(test_encoding_agrees_with_double_and_rises)
             assert_true(fabs((double)v[1] - 12.92 * (double)v[0]) < 1e-8);
     }
     free(values);
-    print_message("# encodeSRGB: worst error %.2g of 1\n", worst);
+    print_message("# encodeSRGB: worst error %.2g\n", worst);
     assert_true(worst < 0.001 / 255.0 * 10.0);
 }
 
@@ -212,9 +215,10 @@ static double mean_excess(const double *light, int count)
     return encoded - mirror_encode(mean);
 }
 
-// Chapter 02, proof 4: the mean of n encoded lights is brighter by at most (1 - 1/n) of the step
-// down between the two pieces of the curve; two lights on either side of it come close to this.
-TEST(test_mean_of_encoded_lights_is_brighter_by_a_hair_at_most)
+// Chapter 02, proof 4: the mean of n encoded lights is brighter than the encoded mean by at most
+// (1 - 1/n) times the step down between the two pieces of the curve. Two lights on either side of
+// the step come close to this bound.
+TEST(test_mean_of_encoded_lights_is_hardly_brighter)
 {
     const double corner = 0.0031308;
     const double step = 12.92 * corner - (1.055 * pow(corner, 1.0 / 2.4) - 0.055);
@@ -226,7 +230,7 @@ TEST(test_mean_of_encoded_lights_is_brighter_by_a_hair_at_most)
     for (int i = 0; i < 200000; i++) {
         double light[8];
         int count = 2 + rand() % 7;
-        for (int k = 0; k < count; k++) { // half of them near the corner, at every scale
+        for (int k = 0; k < count; k++) { // in half of the sets, near the corner at every scale
             double u = rand() / (double)RAND_MAX, sign = rand() % 2 ? 1.0 : -1.0;
             light[k] = i % 2 ? u : corner + sign * pow(10.0, -3.0 - 12.0 * u);
         }
@@ -234,12 +238,12 @@ TEST(test_mean_of_encoded_lights_is_brighter_by_a_hair_at_most)
         assert_true(excess <= (1.0 - 1.0 / count) * step + 1e-15);
         worst = fmax(worst, excess);
     }
-    print_message("# mean of encoded lights: brighter by %.3g at most\n", worst);
+    print_message("# mean of encoded lights: brighter by at most %.3g\n", worst);
     assert_true(worst > 0.5 * step);
 }
 
-// Fresnel's reflected share for unpolarised light, from air into a medium of this index of
-// refraction: the mean of the two polarisations, each the square of a quotient of amplitudes.
+// The share of unpolarised light that is reflected on the way from air into a medium of this index
+// of refraction: the mean over the two polarisations of the squared quotient of the amplitudes.
 static double fresnel(double facing, double index)
 {
     double inside = sqrt(1.0 - (1.0 - facing * facing) / (index * index));
@@ -260,8 +264,9 @@ TEST(test_schlick_is_near_fresnel)
         water = fmax(water, fabs((double)v[1] - fresnel(facing, 1.333)));
         glass = fmax(glass, fabs((double)v[2] - fresnel(facing, 1.5)));
     }
-    print_message("# Schlick against Fresnel: off by at most %.4f for water, %.4f for glass\n",
-                  water, glass);
+    print_message(
+        "# Schlick compared with Fresnel: off by at most %.4f for water, %.4f for glass\n", water,
+        glass);
     assert_true(values[1] == 1.0f && values[4 * 1023 + 1] == 0.02f);
     assert_true(water > 0.05 && water < 0.060 && glass > 0.03 && glass < 0.036);
     free(values);
@@ -290,7 +295,7 @@ TEST(test_interval_union_is_the_smallest)
     free(values);
 }
 
-// The share of a pixel that stripes cover, by counting 2,000 points across it.
+// The share of a pixel that stripes cover, from 2,000 points across the pixel.
 static double counted_stripes(double x, double filled, double width)
 {
     int inside = 0;
@@ -301,8 +306,8 @@ static double counted_stripes(double x, double filled, double width)
     return inside / 2000.0;
 }
 
-// Half of the pattern is stripe, so pixels up to 0.5 wide contain at most one edge. The 0.001 that
-// is added to a width changes a share by at most 0.0005 / width.
+// The stripes cover half of the pattern, so a pixel up to 0.5 wide contains at most one edge.
+// `coverage` adds 0.001 to each width, which changes a share by at most 0.0005 / width.
 TEST(test_coverage_is_a_share)
 {
     float *values = values_of(7, 16);
@@ -322,8 +327,8 @@ TEST(test_coverage_is_a_share)
 
 // ---- The ramp of the steps view ----
 
-// Eight pieces, each linear in the screen's numbers, cannot be perfectly even: between two of the
-// nine given colours, the lightness is off by up to 0.0033 of its range of 0.78.
+// The ramp has eight pieces, each linear in the encoded colours, so it cannot be perfectly even:
+// between two of the nine given colours, the lightness is off by up to 0.0033 in a range of 0.78.
 TEST(test_ramp_rises_evenly_for_every_eye)
 {
     float *values = values_of(1, 1);
@@ -341,9 +346,10 @@ TEST(test_ramp_rises_evenly_for_every_eye)
         }
     }
     free(values);
-    print_message("# ramp: lightness %.3f to %.3f, at most %.4f from even; protan to %.3f, deutan "
-                  "to %.3f\n",
-                  low, high, uneven, before[VISION_PROTAN], before[VISION_DEUTAN]);
+    print_message(
+        "# ramp: lightness from %.3f to %.3f, uneven by at most %.4f; up to %.3f for protan, "
+        "%.3f for deutan vision\n",
+        low, high, uneven, before[VISION_PROTAN], before[VISION_DEUTAN]);
     assert_true(fabs(low - 0.17) < 0.005 && fabs(high - 0.95) < 0.005);
     assert_true(uneven < 0.005);
 }

@@ -1,6 +1,6 @@
-// occlusion.c - shaders/occlusion.glsl and thickness.glsl: the visible share of the sky, compared
-// with brute force in double precision; what five taps prove, and where they err; reflected light;
-// paths inside.
+// occlusion.c - shaders/occlusion.glsl and thickness.glsl: the visible share of the sky compared
+// with brute force in double precision, the claims that five taps prove and their errors, reflected
+// light, and paths inside solids.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/occlusion.h"
@@ -11,7 +11,7 @@
 enum { BALL, WALL, DIRECTION, RAYS, TAPS, BOUNCES, THICKNESS, THROUGH };
 enum { FLOOR_ALONE, BALL_ALONE, BEFORE_WALL, FLOOR_AND_BALL, TWO_BALLS };
 
-// A square grid of 800 x 800 points measures a part of a disc to about 4e-5.
+// A square grid of 800 x 800 points gives the area of a part of a disc to within about 4e-5.
 enum { GRID = 800 };
 static const double closed_form = 1e-4;
 
@@ -32,7 +32,7 @@ TEST(a_ball_hides_its_share_of_the_disc)
             double truth = 1.0 - occlusion_share(mirror_ball_blocks, &ball, up, GRID);
             worst = fmax(worst, fabs((double)values[4 * i + 3] - truth));
         }
-        assert_true((double)values[4 * 64 + 3] == 0.0); // straight below
+        assert_true((double)values[4 * 64 + 3] == 0.0); // the ball is straight below
         free(values);
     }
     print_message("# ball: worst %.2g\n", worst);
@@ -57,7 +57,7 @@ TEST(a_slope_sees_half_of_one_and_its_cosine)
         double wall = occlusion_brute(&scene, GRID);
         assert_true(i == 0 || fabs((double)values[4 * i] - wall) < closed_form);
     }
-    assert_true((double)values[0] == 0.5); // at the very foot
+    assert_true((double)values[0] == 0.5); // at the foot of the wall
     free(values);
 }
 
@@ -74,9 +74,9 @@ TEST(the_closed_forms_of_the_table_are_counted)
 
 // ---- Rays ----
 
-// The points on the disc are those of the square's cells, which have equal areas; the density is
-// proportional to the cosine. Normals along an axis of space need the special case of the frame
-// around them.
+// The centres of a square's cells become directions. The cells become parts of the disc with equal
+// areas, so the density of the directions is proportional to the cosine. Normals along the y axis
+// need another axis for the frame around them.
 TEST(directions_are_above_the_disc)
 {
     static const float normals[][4] = {{0.0f, 1.0f, 0.0f},  {0.48f, 0.6f, -0.64f},
@@ -96,14 +96,14 @@ TEST(directions_are_above_the_disc)
             rise += (double)v[3] / 65536.0;
         }
         free(values);
-        assert_true(fabs(rise - 2.0 / 3.0) < 1e-4); // the mean cosine: the integral of cos^2 / pi
+        assert_true(fabs(rise - 2.0 / 3.0) < 1e-4); // the mean cosine, the integral of cos^2 / pi
         assert_true(d3_length(d3_sub(sum, d3_times(2.0 / 3.0, normal))) < 1e-4);
     }
 }
 
-// 16,384 points with their own rays: their mean is the visible share, within three of its own
-// standard errors.
-TEST(the_mean_of_the_rays_is_what_is_seen)
+// The mean over 16,384 points, each with different random rays, is the visible share to within
+// three standard errors.
+TEST(the_mean_of_the_rays_is_the_visible_share)
 {
     enum { SIDE = 128, POINTS = SIDE * SIDE };
     double random = 0.0;
@@ -119,11 +119,13 @@ TEST(the_mean_of_the_rays_is_what_is_seen)
         struct occlusion_case scene = {OCCLUSION_BALL, (double)0.8f, (double)0.7f};
         double mean = sum / POINTS, variance = squares / POINTS - mean * mean;
         double truth = occlusion_truth(&scene), error = sqrt(variance / POINTS);
-        print_message("# %d rays: %.4f of %.4f, one point's error %.4f\n", side * side, mean, truth,
-                      sqrt(variance));
+        print_message(
+            "# %d rays: mean %.4f, visible share %.4f; standard deviation at one point %.4f\n",
+            side * side, mean, truth, sqrt(variance));
         assert_true(fabs(mean - truth) < 3.0 * error + 2e-4);
         random = side == 1 ? variance : random;
-        assert_true(side == 1 || variance < 0.8 * random / (side * side)); // better than at random
+        // The variance is less than that of random rays.
+        assert_true(side == 1 || variance < 0.8 * random / (side * side));
     }
 }
 
@@ -166,8 +168,8 @@ TEST(taps_before_a_wall_are_those_of_double)
     }
 }
 
-// A tap that finds less than its height proves something within an angle of asin(d / h) to the
-// normal, at distances from h - d to h + d.
+// A tap at height h that finds a distance d < h proves that there is a surface within an angle of
+// asin(d / h) of the normal, at a distance from h - d to h + d.
 TEST(a_tap_proves_something_near_the_normal)
 {
     int proved = 0;
@@ -188,7 +190,7 @@ TEST(a_tap_proves_something_near_the_normal)
     assert_true(proved > 500);
 }
 
-// A ball, or everything outside one, up to a distance.
+// An obstacle up to a distance of `reach`: a ball, or, if hollow, everything outside the ball.
 struct near_ball {
     struct d3 centre;
     double radius, reach;
@@ -205,9 +207,9 @@ static bool near_ball_blocks(struct d3 w, const void *data)
     return half > 0.0 && t > 0.0 && t < near->reach;
 }
 
-// The share that is free up to a distance r, from one tap that finds its whole height: at least 1 -
-// (r / 2 h)^2, whatever ball touches the tap's ball from outside; exactly this if everything except
-// the tap's ball is solid.
+// If a tap finds a distance of its whole height h, at least the share 1 - (r / 2 h)^2 of the
+// directions is free up to the distance r, whatever ball touches the tap's empty ball from outside.
+// If everything except the tap's ball is solid, exactly this share is free.
 TEST(a_whole_tap_proves_a_share_free)
 {
     const double coarse = 2e-3; // the error of 200 x 200 points
@@ -226,10 +228,10 @@ TEST(a_whole_tap_proves_a_share_free)
         assert_true(seen > share - coarse);
         least = fmin(least, seen);
     }
-    assert_true(least < 0.9); // some of them hide much
+    assert_true(least < 0.9); // some of the balls hide much
 }
 
-TEST(two_places_with_the_same_taps_see_all_and_nothing)
+TEST(two_points_with_the_same_taps_see_half_and_nothing)
 {
     struct occlusion_case wall = {OCCLUSION_WALL, 40.0, 0.1};
     struct occlusion_case shaft = {OCCLUSION_SHAFT, 40.0, 0.1};
@@ -238,7 +240,7 @@ TEST(two_places_with_the_same_taps_see_all_and_nothing)
     assert_true(occlusion_brute(&wall, GRID) > 0.5 && occlusion_brute(&shaft, GRID) < 1e-4);
 }
 
-// The table of the page, which build/tests/measure occlusion prints.
+// The errors in the page's table, which build/tests/measure occlusion prints.
 TEST(taps_err_as_the_page_says)
 {
     for (int thing = 0; thing <= OCCLUSION_BALL; thing++) {
@@ -246,8 +248,7 @@ TEST(taps_err_as_the_page_says)
         struct occlusion_error taps = occlusion_error_of((enum occlusion_thing)thing, 1.0);
         if (thing == OCCLUSION_NOTHING)
             assert_true(taps.worst == 0.0);
-        else if (thing ==
-                 OCCLUSION_BAR) // darker than the truth, and farther from it than without taps
+        else if (thing == OCCLUSION_BAR) // too dark, and farther from the truth than without taps
             assert_true(taps.mean < -0.04 && taps.mean_size > none.mean_size);
         else
             assert_true(taps.mean_size < 0.6 * none.mean_size);
@@ -265,8 +266,8 @@ TEST(a_white_furnace_stays_white)
     for (int bounces = 0; bounces <= 2; bounces++) {
         const float numbers[4] = {1.0f, 0.5f, 0.0f, (float)bounces};
         float *values = gpu_call(SHADER, 256, 1, BOUNCES, numbers);
-        assert_true(values[0] ==
-                    0.0f); // no point sees the sky: 0 / 0 is not a number, and the result is 0
+        // No point sees the sky: the quotient would be 0 / 0, but the result is 0.
+        assert_true(values[0] == 0.0f);
         for (int i = 1; i < 256; i++) {
             const float *v = values + 4 * i;
             double open = (double)v[3], back = 1.0 - open, sum = 0.0, power = 1.0;
@@ -276,13 +277,13 @@ TEST(a_white_furnace_stays_white)
             }
             assert_true(fabs((double)v[0] - sum) < 1e-4);
             assert_true(bounces < 2 || fabs((double)v[0] - 1.0) < 1e-4);
-            assert_true(fabs((double)v[2] - open) < 1e-6); // black reflects nothing
+            assert_true(fabs((double)v[2] - open) < 1e-6); // a black surface reflects nothing
         }
         free(values);
     }
 }
 
-// A hollow ball of radius 1 around 0 with a hole above y = height.
+// A point of a hollow ball of radius 1 around the origin that has a hole above y = height.
 struct hollow {
     struct d3 position;
     double height;
@@ -294,10 +295,10 @@ static bool hollow_blocks(struct d3 w, const void *data)
     return hollow->position.y - 2.0 * d3_dot(hollow->position, w) * w.y < hollow->height;
 }
 
-// Every point in it sees the same share of the sky: that of the hole in the ball's surface. So all
-// points receive the same light, and the light after any number of reflections is exactly
-// skyAndBounces.
-TEST(in_a_hollow_ball_all_places_are_alike)
+// Every point of the ball sees the same share of the sky: the share of its surface that the hole
+// takes up. All points therefore receive the same light, and after any number of reflections the
+// light is exactly that of skyAndBounces.
+TEST(in_a_hollow_ball_all_points_are_alike)
 {
     double height = 0.3, hole = 0.5 * (1.0 - height);
     for (int i = 0; i < 6; i++) {
@@ -319,7 +320,7 @@ static double chord(const float *v, double x, double z, double centre)
     return mirror_ball_crossing(ray, 1.0, t) ? t[1] : 0.0;
 }
 
-TEST(a_way_through_a_ball_is_its_chord)
+TEST(a_path_through_a_ball_is_its_chord)
 {
     const float numbers[4] = {-0.9f, 0.2f, 9.0f, BALL_ALONE};
     float *values = gpu_call(SHADER, 126, 1, THICKNESS, numbers);
@@ -327,14 +328,15 @@ TEST(a_way_through_a_ball_is_its_chord)
         assert_true(fabs((double)values[4 * i + 2] -
                          chord(values + 4 * i, (double)-0.9f, (double)0.2f, 0.0)) < 1e-3);
     free(values);
-    const float near[4] = {-0.9f, 0.2f, 0.5f, BALL_ALONE}; // to the lamp and no farther
+    const float near[4] = {-0.9f, 0.2f, 0.5f, BALL_ALONE}; // the path ends at the lamp
     values = gpu_call(SHADER, 1, 1, THICKNESS, near);
     assert_true(values[2] == 0.5f);
     free(values);
 }
 
-// Inside the union the distance is only a lower bound, but the length of the path is right.
-TEST(a_way_through_a_union_does_not_end_between)
+// Inside the union, the distance is only a lower bound of the depth, but the length of the path is
+// right.
+TEST(a_path_through_a_union_does_not_end_between)
 {
     const float numbers[4] = {-1.5f, 0.1f, 9.0f, TWO_BALLS};
     float *values = gpu_call(SHADER, 126, 1, THICKNESS, numbers);

@@ -1,6 +1,6 @@
 #version 330 core
-// For occlusion.c: the functions of occlusion.glsl and thickness.glsl.
-// Time selects the function, iMouse contains four numbers for it; x is the pixel's coordinate.
+// For occlusion.c: the functions of occlusion.glsl and thickness.glsl. Time selects the function; iMouse contains some
+// of its arguments, and the pixel's coordinates determine the others.
 
 in float Time;
 out vec4 FragColor;
@@ -45,12 +45,12 @@ void main()
         vec3 direction = cosineDirection(iMouse.xyz, (vec2(number, row) + 0.5) / 256.0);
         FragColor = vec4(direction, dot(direction, iMouse.xyz));
     } else if (function == 3) {
-        // Every pixel has its own random numbers: iMouse.z rays per side, iMouse.x from the foot of a ball of radius
-        // iMouse.y.
+        // iMouse.z x iMouse.z rays, with different random numbers in every pixel, from a point at the distance iMouse.x
+        // from the foot of a ball of radius iMouse.y.
         ball = vec4(0.0, iMouse.y, 0.0, iMouse.y);
         FragColor = vec4(skyReaching(vec3(iMouse.x, 0.0, 0.0), UP, 1e-4, 50.0, int(iMouse.z), 1e-5, 400, 0));
     } else if (function == 4) {
-        // Taps: at points of the floor, or of the ball.
+        // Taps at points of the floor or of the ball; iMouse: reach, strength.
         float turn = 0.1 * number;
         vec3 normal = scene == 1 ? vec3(cos(turn), 0.0, sin(turn)) : UP;
         vec3 tapped = scene == 1 ? normal : vec3(0.02 + 0.05 * number, 0.0, 0.3 * number);
@@ -58,7 +58,8 @@ void main()
     } else if (function == 5) {
         FragColor = vec4(skyAndBounces(number / 255.0, iMouse.xyz, int(iMouse.w)), number / 255.0);
     } else if (function == 6) {
-        // Paths inside from just below the surface, in directions of a fan, in x and z.
+        // Paths inside from a point near the surface, in a fan of directions in x and z; iMouse: x and z of the point,
+        // largest length.
         float turn = 0.05 * number;
         Ray ray = Ray(vec3(iMouse.x, 0.0, iMouse.y), vec3(cos(turn), 0.0, sin(turn)));
         FragColor = vec4(ray.direction.xz, thicknessAlong(ray, iMouse.z, 1e-5, 400), 0.0);

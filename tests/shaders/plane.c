@@ -1,7 +1,7 @@
-// plane.c - shaders/plane.glsl on the GPU, and the results of combine.glsl's operations on its
-// figures, compared with the nearest point of the boundary, which is found by a search in double
-// precision. The boundary comes only from the figure's description; no formula of the shader is
-// used again.
+// plane.c - the figures of shaders/plane.glsl and the results of combine.glsl's operations on them,
+// compared with the nearest point of the boundary, which a search in double precision finds. The
+// boundary comes only from the description of the figure; the test shares no formula with the
+// shader.
 #include "lib/test.h"
 #include "lib/boundary.h"
 #include "lib/gpu.h"
@@ -52,7 +52,7 @@ static bool in_disc(struct d2 p)
     return hypot(p.x - 0.75, p.y - 0.25) < 0.5;
 }
 
-// The rectangle with these half sides, grown by a radius.
+// Add the boundary of a rectangle with the half sides x and y, grown by the radius r.
 static void add_rounded(struct boundary *of, double x, double y, double r)
 {
     for (int side = -1; side <= 1; side += 2) {
@@ -64,7 +64,8 @@ static void add_rounded(struct boundary *of, double x, double y, double r)
                          0.5 * MIRROR_PI * (i + 1));
 }
 
-// Keep the parts of each piece on which a test holds; their ends are found by bisection.
+// Add the parts of all pieces whose points pass the test `kept`. The ends of the parts are found by
+// bisection.
 static void keep(struct boundary *of, const struct boundary *all, bool (*kept)(struct d2))
 {
     enum { PARTS = 512 };
@@ -126,8 +127,8 @@ static bool off_grown_dart(struct d2 p)
     return !in_dart(p) && dart_distance(p) > 0.125 - 1e-9;
 }
 
-// Circles around the dart's corners, and its sides moved to either side: the boundary of the grown
-// dart, with parts that lie inside it.
+// Add circles around the dart's corners, and its sides moved to either side. They contain the
+// boundary of the grown dart, and parts inside the grown dart.
 static void add_grown_dart(struct boundary *of)
 {
     for (int i = 0; i < 4; i++) {
@@ -142,7 +143,7 @@ static void add_grown_dart(struct boundary *of)
     }
 }
 
-// The parts of the boundaries of the box and the disc that bound their combination.
+// Add the parts of the boundaries of the box and the disc that bound their combination.
 static void add_combined(struct boundary *of, int which)
 {
     struct boundary first = {.count = 0}, second = {.count = 0};
@@ -152,7 +153,7 @@ static void add_combined(struct boundary *of, int which)
     keep(of, &second, which == UNION ? off_box : on_box);
 }
 
-// The boundary of the requested figure.
+// Set a boundary to that of a figure.
 static void boundary_of(int which, struct boundary *of)
 {
     struct boundary first = {.count = 0};
@@ -206,7 +207,7 @@ static void boundary_of(int which, struct boundary *of)
     case SUBTRACTION:
         add_combined(of, which);
         break;
-    case MORPH: // the ellipse with the centres as its foci
+    case MORPH: // the ellipse whose foci are the centres of the discs
         boundary_add_ellipse(of, (struct d2){0.0, 0.0}, (struct d2){0.625, 0.375}, 0.0,
                              2.0 * MIRROR_PI);
         break;
@@ -256,7 +257,7 @@ static bool inside(int which, struct d2 p)
 
 // ---- The GPU compared with these figures ----
 
-// Rounding errors of a point's coordinates, of a square and of its root.
+// An upper bound on the rounding errors of a point's coordinates, of a square and of its root.
 static double slack(struct d2 p)
 {
     return 4.0 * MIRROR_FLOAT_ROUNDING * (hypot(p.x, p.y) + 2.0);
@@ -268,7 +269,8 @@ static float *values_of(int which)
     return gpu_call("tests/shaders/plane.frag", 2 * WIDE, ROWS, which, none);
 }
 
-// Check a figure or an operation, which is exact outside, exact inside, or a bound.
+// Check a figure or the result of an operation. Its distance must be exact outside or inside where
+// stated, and a lower bound otherwise.
 static void check_figure(int which, bool exact_outside, bool exact_inside)
 {
     struct boundary edge;
@@ -295,8 +297,8 @@ static void check_figure(int which, bool exact_outside, bool exact_inside)
     }
     free(values);
     print_message(
-        "# function %d: %d outside, %d inside; exact to %.1e; else short by more than 0.01 "
-        "at %d and %d, by %.4f at most\n",
+        "# function %d: %d points outside, %d inside; exact to %.1e; where it is only a bound, too "
+        "small by more than 0.01 at %d points outside and %d inside, by at most %.4f\n",
         which, count[0], count[1], worst, short_of[0], short_of[1], shortest);
     assert_true(exact_outside || short_of[0] > 100);
     assert_true(exact_inside || count[1] == 0 || short_of[1] > 10);
@@ -308,7 +310,7 @@ TEST(test_figures_are_exact)
         check_figure(which, true, true);
 }
 
-TEST(test_rounding_is_exact_outside_and_of_what_is_convex)
+TEST(test_rounding_is_exact_outside_and_for_convex_figures)
 {
     check_figure(ROUNDED, true, true);
     check_figure(ROUNDED_DART, true, false);
@@ -326,15 +328,16 @@ TEST(test_union_intersection_and_subtraction)
     check_figure(SUBTRACTION, false, true);
 }
 
-// Halfway between two discs the morph draws an ellipse, and is a bound: its error is 0 along the
-// line of the centres, and grows across it towards the difference of the half axes.
+// Halfway between two discs, the morph is a bound that is 0 on an ellipse. Outside, its error is 0
+// on the line through the centres, and grows perpendicular to this line towards the difference of
+// the semi-axes.
 TEST(test_morph_is_a_bound_and_no_distance)
 {
     check_figure(MORPH, false, false);
     double a = 0.625, b = 0.375, far = 1000.0;
     assert_true(fabs((far - b) - (hypot(0.5, far) - a) - (a - b)) < 2e-4);
     assert_true(fabs((b - 0.0) - (a - 0.5) - 0.25) <
-                1e-12); // in the middle: depth 0.375, returned 0.125
+                1e-12); // in the middle, the depth is 0.375 and the morph returns 0.125
 }
 
 TEST(test_all_are_1_lipschitz)

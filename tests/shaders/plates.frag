@@ -1,5 +1,5 @@
-// For projection.c: two equal upright plates, one behind the other, or a strip on the ground; white
-// before black. The eye is at the origin.
+// For projection.c: two equal upright plates, one behind the other, or a strip on the ground, in
+// white on black.
 
 #include "main.glsl"
 #include "orthographic.glsl"

@@ -1,5 +1,6 @@
 #version 330 core
-// For precision.c: the values of this driver's built-in functions. Time selects the function; x and y the number.
+// For precision.c: the values of this driver's built-in functions. Time selects the function; the pixel's coordinates
+// determine its argument.
 
 in float Time;
 out vec4 FragColor;
@@ -7,7 +8,8 @@ out vec4 FragColor;
 void main()
 {
     int function = int(Time);
-    float u = (gl_FragCoord.x + 1024.0 * (gl_FragCoord.y - 0.5)) / 4096.0, v = 2.0 * u - 1.0; // v from -1 to 1
+    // u runs from 0 to 1, and v from -1 to 1.
+    float u = (gl_FragCoord.x + 1024.0 * (gl_FragCoord.y - 0.5)) / 4096.0, v = 2.0 * u - 1.0;
     vec2 pair = vec2(u, 0.0);
     if (function == 0)
         pair = vec2(3.14159265 * v, sin(3.14159265 * v));

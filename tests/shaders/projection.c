@@ -12,7 +12,8 @@
 
 enum { COLUMNS = 65, ROWS = 33, RAYS_COUNT = COLUMNS * ROWS };
 
-// The values that projection.frag writes.
+// The values of Time for which projection.frag writes the origins of rays; the next value gives the
+// directions.
 enum { PROJECTION = 0, PERSPECTIVE = 2, ORTHOGRAPHIC = 4 };
 
 struct view {
@@ -30,7 +31,7 @@ static const double passage[] = {0.0, 0.25, 0.5, 0.75, 1.0};
 
 enum { VIEWS = sizeof views / sizeof views[0], PASSAGE = sizeof passage / sizeof passage[0] };
 
-// All rays of a view: origins, then directions. The caller frees both.
+// All rays of a view: rays[0] receives the origins, rays[1] the directions. The caller frees both.
 static void rays_of(const struct view *view, double u, int which, float *rays[2])
 {
     const struct gl *gl = gpu.renderer.gl;
@@ -70,7 +71,7 @@ TEST(test_u_0_is_the_perspective_ray_to_the_bit)
     }
 }
 
-// The direction is normalised once more, so it may be off by one rounding.
+// projectionRay normalises the direction once more, so the result may differ by rounding.
 TEST(test_u_1_is_the_orthographic_ray)
 {
     assert_true(gpu_load(RAYS));
@@ -89,7 +90,8 @@ TEST(test_u_1_is_the_orthographic_ray)
     }
 }
 
-// Where a ray passes the plane perpendicular to the view at a depth, as (right, up) from the axis.
+// Find where a ray crosses the plane perpendicular to the view at a depth, to the right of the axis
+// and above it.
 static void crossing(const struct view *view, struct d3 origin, struct d3 direction, double depth,
                      double at[2])
 {
@@ -101,9 +103,9 @@ static void crossing(const struct view *view, struct d3 origin, struct d3 direct
     at[1] = d3_dot(p, d3_of(basis.up));
 }
 
-// At depth d the ray of (x, y) is at (x, y) mix(d, framing, u) / focalLength. So on the framing
-// plane it is at the same point for all u, and for u < 1 all rays are at one point behind the
-// camera, the eye.
+// The largest error of a crossing, in half heights of the picture. At depth d, the ray through
+// (x, y) is at (x, y) mix(d, framing, u) / focalLength. On the framing plane it is therefore at the
+// same point for all u, and for u < 1 all rays meet at one point behind the camera, the eye.
 static double worst_crossing(const struct view *view, double u, double depth)
 {
     float *rays[2];
@@ -134,9 +136,10 @@ TEST(test_rays_cross_every_plane_where_the_formula_says)
             if (u < 1.0)
                 others = fmax(others, worst_crossing(&views[i], u, -u * d / (1.0 - u)));
         }
-    print_message("# framing plane: off by at most %.1g half heights; other planes and the eye "
-                  "%.1g\n",
-                  framing, others);
+    print_message(
+        "# framing plane: off by at most %.1g half heights; other planes and the eye by at "
+        "most %.1g\n",
+        framing, others);
     assert_true(framing < 4e-6);
     assert_true(others < 2e-5);
 }
@@ -152,7 +155,7 @@ static void set(const char *name, double value)
     parameter->value[0] = value;
 }
 
-// The white share of each pixel. The caller frees it.
+// The white share of each pixel. The caller frees the result.
 static float *coverage(const struct camera *camera, double u)
 {
     struct renderer_inputs inputs = {
@@ -178,7 +181,8 @@ static double widest_row(const float *values, int from, int to)
     return widest;
 }
 
-// Plates of width 1, whose faces are at the depths 4.999 and 8.999.
+// Check the widths of the two plates, which are 1 wide and whose faces are at the depths 4.999 and
+// 8.999.
 static void check_sizes(double aside, double u)
 {
     const struct camera camera = {.position = {0.0f, 0.0f, 0.0f}};
@@ -191,7 +195,7 @@ static void check_sizes(double aside, double u)
         assert_true(fabs(width[i] - expected) < 0.3);
     }
     double ratio = width[0] / width[1];
-    print_message("# beside the axis by %g, u = %.2f: widths %.2f and %.2f pixels, ratio %.4f\n",
+    print_message("# %g beside the axis, u = %.2f: widths %.2f and %.2f pixels, ratio %.4f\n",
                   aside, u, width[0], width[1], ratio);
     if (u == 0.0)
         assert_true(fabs(ratio / (depth[1] / depth[0]) - 1.0) < 0.006);
@@ -209,8 +213,8 @@ TEST(test_equal_plates_have_the_sizes_of_their_depths)
     }
 }
 
-// The edges of the white part of a row, to a fraction of a pixel: outwards from a column that is
-// completely white.
+// Find the edges of the white part of a row, to a fraction of a pixel, outwards from a column that
+// is completely white.
 static void row_edges(const float *values, int row, double edge[2])
 {
     int inside = 0;
@@ -224,8 +228,8 @@ static void row_edges(const float *values, int row, double edge[2])
     edge[1] = inside + right;
 }
 
-// The angles between the strip's two edges and the vertical in the picture, in degrees: straight
-// lines fitted to the rows.
+// Find the angles between the strip's two edges and the vertical in the picture, in degrees, from
+// straight lines fitted to the edges of the rows.
 static void edge_angles(const float *values, int from, int to, double angle[2])
 {
     double n = to - from, row_sum = 0.0, row_square = 0.0, sum[2] = {0.0}, product[2] = {0.0};
@@ -245,7 +249,7 @@ static void edge_angles(const float *values, int from, int to, double angle[2])
     }
 }
 
-// The position of a point of the world in the picture, in pixels, by the formula of the page.
+// The position of a point of the world in the picture, in pixels, from the formula of the page.
 static void project(const struct camera *camera, double u, struct d3 p, double at[2])
 {
     struct camera_basis basis = camera_basis_of(camera);
@@ -282,8 +286,8 @@ TEST(test_parallel_edges_stay_parallel)
     for (int k = 0; k < PASSAGE; k++) {
         double angle[2];
         check_edges(&camera, passage[k], angle);
-        print_message("# u = %.2f: the strip's edges at %.2f and %.2f degrees to the vertical, "
-                      "%.2f between them\n",
+        print_message("# u = %.2f: the strip's edges are at %.2f and %.2f degrees to the vertical, "
+                      "%.2f degrees apart\n",
                       passage[k], angle[0], angle[1], angle[1] - angle[0]);
         if (passage[k] == 1.0)
             assert_true(fabs(angle[1] - angle[0]) < 0.05);
@@ -304,7 +308,7 @@ static double depth_of(const struct camera *camera, struct d3 p)
     return d3_dot(d3_sub(p, d3_of(camera->position)), d3_of(basis.forward));
 }
 
-// The row and the column of the picture in which a point of the world is shown.
+// The column and the row, in pixels, at which the picture shows a point of the world.
 static void pixel_of(const struct camera *camera, double u, struct d3 p, double at[2])
 {
     struct camera_basis basis = camera_basis_of(camera);
@@ -314,15 +318,16 @@ static void pixel_of(const struct camera *camera, double u, struct d3 p, double 
     at[1] = HEIGHT / 2 + scale * d3_dot(from, d3_of(basis.up));
 }
 
-// In this scene only the frames are orange: more than twice as much red as blue.
+// True if the pixel at a position, moved up by `above` rows, is orange: more than twice as much red
+// as blue. In this scene, only the frames are orange.
 static bool is_orange(const float *values, const double at[2], double above)
 {
     const float *v = values + 4 * ((int)(at[1] + above) * WIDTH + (int)at[0]);
     return v[0] > 2.2f * v[2];
 }
 
-// A frame's upper far corner is the highest point of its outline: two pixels below it the picture
-// is orange, two pixels above it is not.
+// The upper far corner of a frame is the highest point of its outline: two pixels below the corner,
+// the picture is orange; two pixels above, it is not.
 static void check_frame_corner(const float *values, const struct camera *camera, double u,
                                struct d3 middle)
 {
@@ -343,8 +348,9 @@ TEST(test_the_frames_have_the_sizes_of_their_depths)
         double m[2] = {depth_of(&inputs.camera, near), depth_of(&inputs.camera, far)};
         for (int i = 0; i < 2; i++)
             m[i] = (1.0 - u) * m[i] + u * framing;
-        print_message("# u = %.2f: near frame %.3f, far frame %.3f, ratio %.3f\n", u,
-                      framing / m[0], framing / m[1], m[1] / m[0]);
+        print_message(
+            "# u = %.2f: scale of the near frame %.3f, of the far frame %.3f, ratio %.3f\n", u,
+            framing / m[0], framing / m[1], m[1] / m[0]);
         float *values = gpu_numbers(&inputs);
         check_frame_corner(values, &inputs.camera, u, near);
         check_frame_corner(values, &inputs.camera, u, far);

@@ -1,6 +1,6 @@
 #version 330 core
 // For projection.c: the rays through a position on the screen in each of the three projections.
-// Time selects what is written; iMouse.x is the framing distance.
+// Time selects the projection, and origins or directions; iMouse.x is the framing distance.
 
 in float Time;
 in vec2 FragCoord;

@@ -1,8 +1,8 @@
-// random.c - samples that differ: iSample, iSamples, iPixel, and pixelRandom of
-// shaders/random.glsl.
-// The shader's numbers equal those of random.h to the last bit, wherever a pixel is drawn, so the
-// tests of their distribution call that function. It always gives the same numbers: a test that
-// passes once always passes.
+// random.c - the inputs iSample, iSamples and iPixel, and pixelRandom of shaders/random.glsl.
+//
+// The shader's numbers equal those of random_of to the last bit, wherever a pixel is drawn, so the
+// tests of their distribution call random_of. It always gives the same numbers: a test that has
+// passed once always passes.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -16,7 +16,7 @@
 
 static const int dimensions[3] = {0, 1, 7};
 
-// The picture as floats, drawn in bands; the caller frees it.
+// The picture as floats, drawn in bands of `band` rows. The caller frees the result.
 static float *draw(struct renderer *renderer, const struct renderer_inputs *inputs, int band)
 {
     size_t row = 4 * (size_t)inputs->width;
@@ -32,14 +32,14 @@ static float *draw(struct renderer *renderer, const struct renderer_inputs *inpu
 
 // ---- What the harness sets ----
 
-// The picture is wider and higher than a tile, and is drawn in one part and in bands.
+// Some pictures are wider or higher than a tile, and some are drawn in bands.
 TEST(a_number_is_that_of_its_pixel_in_every_tile_and_band)
 {
     assert_true(gpu_load_text(RANDOM_COLOUR));
     static const int sizes[][3] = {{1100, 600, 600}, {1100, 600, 37}, {513, 1030, 512}, {1, 1, 1}};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         struct renderer_inputs inputs = gpu_inputs(sizes[i][0], sizes[i][1], 1);
-        inputs.time = (double)i; // on which no number depends
+        inputs.time = (double)i; // no number depends on time or frame
         inputs.frame = (int)i;
         float *values = draw(&gpu.renderer, &inputs, sizes[i][2]);
         for (int y = 0; y < inputs.height; y++)
@@ -53,8 +53,8 @@ TEST(a_number_is_that_of_its_pixel_in_every_tile_and_band)
     }
 }
 
-// Each sample has its own numbers, wherever it is in its pixel. A float stores the sum of 36 shares
-// to within a few roundings.
+// Each sample has different numbers, whatever its position in the pixel. The sum of 36 shares is
+// accurate to a few roundings of a float.
 TEST(samples_have_numbers_of_their_own)
 {
     assert_true(gpu_load_text(RANDOM_COLOUR));
@@ -73,7 +73,7 @@ TEST(samples_have_numbers_of_their_own)
     }
 }
 
-// Of 9 samples each is drawn once, and each receives the count 9.
+// Each of 9 samples is drawn once, and iSamples is 9 in all of them.
 TEST(samples_are_counted)
 {
     assert_true(gpu_load_text(GPU_COURSE
@@ -92,8 +92,8 @@ TEST(samples_are_counted)
     free(values);
 }
 
-// A scene whose distance is a number of the pixel: it appears in the table of a probe, and in a
-// slice.
+// A scene whose distance is a random number of the pixel. The number appears in the table of a
+// probe, and in a slice.
 #define RANDOM_SCENE                                                                               \
     "#include \"main.glsl\"\n"                                                                     \
     "#include \"march.glsl\"\n"                                                                    \
@@ -117,7 +117,7 @@ TEST(a_probe_marches_sample_0_of_1_of_its_pixel)
             struct probe probe;
             assert_true(renderer_probe(&gpu.renderer, &inputs, x, y, &probe));
             assert_true((double)probe.step[0].distance == random_of(x, y, 0, 0) - 0.5);
-            // The colour is the picture's, from all samples.
+            // The probe's colour is that of the picture, from all samples.
             float *picture = draw(&gpu.renderer, &inputs, 36);
             for (int k = 0; k < 3; k++) {
                 double value = (double)picture[4 * (64 * y + x) + k];
@@ -160,8 +160,8 @@ static void numbers_of(int sample, int dimension, double number[COUNT])
 }
 
 // The mean of n numbers has a standard deviation of 1 / sqrt(12 n), and their second moment about
-// 1/2 one of 1 / sqrt(180 n). A value beyond 4.5 of these occurs once in 150,000 tries, and there
-// are 108 values.
+// 1/2 has one of 1 / sqrt(180 n). A value is off by more than 4.5 standard deviations once in
+// 150,000 tries, and there are 108 values.
 TEST(their_mean_is_a_half_their_variance_a_twelfth)
 {
     static double number[COUNT];
@@ -178,12 +178,14 @@ TEST(their_mean_is_a_half_their_variance_a_twelfth)
             worst[0] = fmax(worst[0], fabs(sum / COUNT - 0.5) * sqrt(12.0 * COUNT));
             worst[1] = fmax(worst[1], fabs(squares / COUNT - 1.0 / 12.0) * sqrt(180.0 * COUNT));
         }
-    print_message("# mean off by %.2f sigma at most, variance by %.2f\n", worst[0], worst[1]);
+    print_message("# mean off by at most %.2f sigma, variance by at most %.2f\n", worst[0],
+                  worst[1]);
     assert_true(worst[0] < 4.5 && worst[1] < 4.5);
 }
 
-// The sum over the bins of (count - expected)^2 / expected, in standard deviations from its mean:
-// it has bins - 1 degrees of freedom, and its variance is twice that number.
+// The chi-square sum over the bins of (count - expected)^2 / expected, in standard deviations from
+// its mean. The sum has bins - 1 degrees of freedom; this number is its mean, and twice this number
+// is its variance.
 static double chi_square(const int *count, int bins, int numbers)
 {
     double sum = 0.0, expected = (double)numbers / bins;
@@ -211,16 +213,16 @@ TEST(each_bin_gets_its_share)
     assert_true(least > -4.5 && most < 4.5);
 }
 
-// Which numbers are compared: a step in x, y, sample and dimension.
+// The steps between the numbers that are compared: in x, y, sample and dimension.
 static const int steps[][4] = {{1, 0, 0, 0}, {0, 1, 0, 0},  {1, 1, 0, 0}, {1, -1, 0, 0},
                                {2, 0, 0, 0}, {0, 2, 0, 0},  {0, 0, 1, 0}, {0, 0, 2, 0},
                                {0, 0, 0, 1}, {0, 0, 0, 2},  {0, 0, 1, 1}, {1, 0, 1, 0},
                                {0, 1, 0, 1}, {16, 0, 0, 0}, {0, 64, 0, 0}};
 enum { STEPS = sizeof steps / sizeof *steps };
 
-// If neighbours are independent, their measured correlation has the standard deviation 1 / sqrt(n).
-// Their pairs also fill the 16 x 16 bins of a square evenly; pairs that depend on each other
-// without being correlated would not.
+// If neighbours are independent, their measured correlation has a standard deviation of
+// 1 / sqrt(n), and their pairs fill the 16 x 16 bins of a square evenly. Pairs that depend on each
+// other without being correlated would not.
 TEST(neighbours_are_not_related)
 {
     double worst = 0.0, least = 0.0, most = 0.0;

@@ -1,9 +1,9 @@
-// random.glsl - random numbers for the numeric tests, the same on every machine: an integer hash, and floats that
-// represent the integer exactly.
+// random.glsl - random numbers for the tests. They are the same on every machine, because they come from integers that
+// a float represents exactly.
 
 uint seed; // advances with every number
 
-// The next 32 bits.
+// The next 32 random bits.
 // Source: M. E. O'Neill, 'PCG: A family of simple fast space-efficient statistically good algorithms
 // for random number generation' (2014).
 uint nextBits()
@@ -13,7 +13,7 @@ uint nextBits()
     return (word >> 22) ^ word;
 }
 
-// The next number in [-1, 1).
+// The next random number in [-1, 1).
 float nextSigned()
 {
     return float(int(nextBits() >> 8) - 8388608) / 8388608.0;
@@ -26,7 +26,7 @@ vec3 nextVector()
     return vec3(x, y, nextSigned());
 }
 
-// A direction of length 1 with some distribution: no use here needs a uniform one.
+// A random direction of length 1. Its distribution is not uniform, and no test needs a uniform one.
 vec3 nextDirection()
 {
     vec3 v = nextVector();

@@ -21,7 +21,7 @@ static float *rays(int function, float x, float y, float z, float w)
                     (const float[4]){x, y, z, w});
 }
 
-// The march of one ray, as the shader wrote it.
+// The result of one march, as the shader writes it.
 struct marched {
     struct mirror_ray ray;
     bool unit; // the ray's direction has length 1
@@ -45,8 +45,9 @@ static struct marched unpack(const float *values, int item)
     return m;
 }
 
-// The rounding error of a distance evaluated at t: three roundings of the position and as many of
-// the distance, of numbers no larger than |origin| + t.
+// An upper bound on the rounding error of a distance at t. The position and the distance are each
+// off by about three roundings of a number no larger than |origin| + t + 1; eight in total are
+// allowed.
 static double slack_of(const struct marched *m)
 {
     return 8.0 * MIRROR_FLOAT_ROUNDING * (d3_length(m->ray.origin) + fabs(m->t) + 1.0);
@@ -60,8 +61,8 @@ static void check_counts(const struct marched *m)
     assert_true(m->found == (m->end == MIRROR_HIT));
 }
 
-// A hit lies in front of the surface by at most threshold / |cos|: the ball is convex, so along the
-// ray the distance is at least that of the tangent at t*.
+// A hit is at most threshold / |cos| in front of the surface: the ball is convex, so along the ray
+// its distance is at least that of the tangent plane at the true t.
 static void check_hit(const struct marched *m, double t, double cosine, double threshold)
 {
     double slack = slack_of(m) / cosine;
@@ -138,7 +139,7 @@ TEST(test_empty_interval_is_a_miss_that_costs_nothing)
     }
 }
 
-// A scene that is 1 away from every point: the march counts 1, 2, 3, ...
+// In a scene that is 1 away from every point, the march takes steps of 1.
 TEST(test_march_ends_at_its_limits)
 {
     float *values = rays(NOTHING, 7.5f, 0.001f, 512.0f, 0.25f);
@@ -164,7 +165,7 @@ TEST(test_march_ends_at_its_limits)
 TEST(test_box_interval_agrees_with_brute_force)
 {
     const struct d3 low = {-0.75, -0.5, -1.25}, high = {0.75, 0.5, 1.25};
-    const double m = 1e-5; // a ray that passes an edge more closely may count as either
+    const double m = 1e-5; // a ray that passes closer to an edge may be a hit or a miss
     float *values = rays(INTERVAL, 0.0f, 0.0f, 0.0f, 0.0f);
     int hits = 0, misses = 0, inside = 0, across = 0, edges = 0;
     for (int i = 0; i < ITEMS; i++) {
@@ -199,7 +200,7 @@ TEST(test_box_interval_agrees_with_brute_force)
 
 // ---- Normal ----
 
-// The central differences of the unit ball in double, with the same step.
+// The normal from central differences of the unit ball in double precision, with the step h.
 static struct d3 ball_differences(struct d3 p, double h)
 {
     const struct d3 x = {h, 0.0, 0.0}, y = {0.0, h, 0.0}, z = {0.0, 0.0, h};
@@ -208,8 +209,8 @@ static struct d3 ball_differences(struct d3 p, double h)
                       d3_length(d3_add(p, z)) - d3_length(d3_sub(p, z))));
 }
 
-// Rounding errors of the position and of the distance, both near 1, divided by the step: in radians
-// about 2 eps / h.
+// The largest error of a normal, in degrees. It comes from the rounding errors of the position and
+// of the distance, both near 1, divided by the step: about 2 eps / h in radians.
 static double worst_normal(int function, float h, bool analytic)
 {
     float *values = rays(function, h, 0.0f, 0.0f, 0.0f);
@@ -236,13 +237,14 @@ TEST(test_normals_agree_with_the_surface)
     double fine = worst_normal(NORMAL_BALL, 0.001f, true);
     double coarse = worst_normal(NORMAL_BALL, 0.25f, false);
     double face = worst_normal(NORMAL_BOX, 0.001f, true);
-    print_message("# normal: worst %.4f degrees on a ball, %.6f against the same differences in "
-                  "double, %.4f on a box\n",
-                  fine, coarse, face);
+    print_message(
+        "# normal: off by at most %.4f degrees on a ball, by %.6f from the same differences "
+        "in double precision, by %.4f on a box\n",
+        fine, coarse, face);
     assert_true(fine < 3.0 * MIRROR_FLOAT_ROUNDING / 0.001 * degrees);
     assert_true(coarse < 8.0 * MIRROR_FLOAT_ROUNDING / 0.25 * degrees);
     assert_true(face < 3.0 * MIRROR_FLOAT_ROUNDING / 0.001 * degrees);
-    // The step that was requested is the one that is used: its own error is visible at 0.25.
+    // The requested step is used: with 0.25, the truncation error is visible.
     assert_true(worst_normal(NORMAL_BALL, 0.25f, true) > 0.1);
 }
 

@@ -1,8 +1,8 @@
 #version 330 core
 // For rays.c: the library's march, box interval, shadow ray and normal along random rays.
 //
-// Each item takes 4 pixels of a row: (origin, -), (direction, -), and two of results. Time selects the function; iMouse
-// contains its numbers.
+// Each item takes 4 pixels of a row: (origin, -), (direction, -), and two pixels of results. Time selects the function;
+// iMouse contains its arguments.
 
 in float Time;
 out vec4 FragColor;
@@ -18,7 +18,7 @@ uniform vec4 iMouse;
 
 const vec3 HALF = vec3(0.75, 0.5, 1.25);
 
-// 0 a ball, 1 a plane, 2 a box, 3 nothing
+// The scene, from the last digit of Time: 0 is a ball, 1 a plane, 2 a box, and 3 an empty scene with a distance of 1.
 float sceneDistance(vec3 p)
 {
     int which = int(Time) % 10;
@@ -29,13 +29,14 @@ float sceneDistance(vec3 p)
     return which == 2 ? sdBox(p, HALF) : 1.0;
 }
 
-// Not used here, but the library declares them.
+// Not used here, but the library declares this function.
 Ray pixelRay(vec2 screen)
 {
     return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0));
 }
 
-// From a point of a cube to a point near the centre; every fourth direction is perpendicular to one axis or two.
+// A ray from a random point in a cube to a random point near the centre. Every fourth direction is perpendicular to one
+// axis or two.
 Ray randomRay(int item)
 {
     vec3 origin = 4.0 * nextVector();
@@ -68,7 +69,7 @@ void main()
     } else if (Time < 20.0) {
         first.xy = boxInterval(ray, -HALF, HALF);
     } else if (Time < 30.0) {
-        // A point of the surface along the direction, or inside the box's upper face; iMouse.x: step
+        // A point of the ball in the direction of the ray, or a point in the upper face of the box; iMouse.x: step
         vec3 p = int(Time) == 20 ? ray.direction : vec3(0.7, 0.5, 1.2) * vec3(nextSigned(), 1.0, nextSigned());
         first = vec4(p, trace.evaluations);
         second = vec4(normalAt(p, iMouse.x), trace.evaluations);

@@ -1,5 +1,5 @@
-// relaxed.c - shaders/relaxed.glsl over random distances, compared with surfaces known in closed
-// form; shaders/stretch.glsl compared with slopes in double precision.
+// relaxed.c - shaders/relaxed.glsl with random distances, whose surfaces are known in closed form;
+// shaders/stretch.glsl compared with slopes in double precision.
 #include "lib/test.h"
 #include "lib/cell.h"
 #include "lib/gpu.h"
@@ -14,7 +14,7 @@ static const double far = 12.0, spread = 0.001;
 static const float omegas[] = {1.05f, 1.2f, 1.5f, 1.8f, 1.95f};
 enum { OMEGAS = sizeof omegas / sizeof *omegas };
 
-// The distances of function 0 of the shader in C.
+// The distance of function 0 of the shader, in double precision.
 static double line_distance(int number, double x)
 {
     double nearest = 3.0;
@@ -26,8 +26,8 @@ static double line_distance(int number, double x)
     return nearest;
 }
 
-// Where the ray first meets a surface: an object whose smallest distance is below 0 begins at a
-// known point.
+// The distance along the ray to the first surface: an object whose smallest distance is not above 0
+// begins at a known point.
 static double line_surface(int number)
 {
     double first = HUGE_VAL;
@@ -40,8 +40,8 @@ static double line_surface(int number)
     return first;
 }
 
-// Does the distance stay below the threshold from a point to the surface? Otherwise a march may
-// report it as a hit or pass it, depending on its steps.
+// True if the distance stays below the threshold all the way from a point to the surface.
+// Otherwise, a march may stop there or pass, depending on its steps.
 static bool sure(int number, double from, double surface, double threshold)
 {
     for (int i = 0; i <= 64 && surface < far; i++) {
@@ -94,8 +94,8 @@ TEST(no_surface_is_passed)
     assert_true(hits > 1000 && misses > 1000);
 }
 
-// Where the plain march takes n evaluations, the relaxed one takes at most n + 1; with a useful
-// factor, it takes fewer in total.
+// Where marchCone takes n evaluations, marchRelaxed takes at most n + 1. With a factor of up to
+// 1.5, it takes fewer in total.
 TEST(at_most_one_more)
 {
     const double threshold = 0.002;
@@ -114,7 +114,8 @@ TEST(at_most_one_more)
             plain_all += plain.evaluations;
         }
         free(values);
-        print_message("# omega %.2f: %d rays, %.3f of the evaluations, worst +%d\n",
+        print_message("# omega %.2f: %d rays, %.3f times the evaluations of marchCone, at most %d "
+                      "more for one ray\n",
                       (double)omegas[k], compared, (double)all / (double)plain_all, worst);
         assert_true(worst == 1 && compared > CASES / 2);
         assert_true(omegas[k] > 1.5f || all < plain_all);
@@ -133,7 +134,7 @@ TEST(a_factor_of_one_is_the_march)
     }
 }
 
-// Neither this march nor the plain one ever steps over a point that passes the ray nearer than 0.86
+// Neither marchRelaxed nor marchCone ever steps over a point that is nearer to the ray than 0.86
 // thresholds.
 TEST(thin_things_are_found)
 {
@@ -151,8 +152,8 @@ TEST(thin_things_are_found)
     }
 }
 
-// A wall ahead: the last step but one is too long, once. Along a wall, the number of evaluations
-// falls in the same ratio as the steps become longer.
+// Towards a wall, one step is too long and costs one evaluation more. Along a wall, the number of
+// evaluations is divided by omega.
 TEST(the_worst_and_the_best_case)
 {
     const float ahead[4] = {0.0f, 0.001f, 1.5f, 0.0f}, beside[4] = {0.1f, 0.001f, 1.6f, 0.0f};
@@ -192,7 +193,7 @@ TEST(stretches_are_the_largest_slopes)
     for (int i = 0; i < CASES; i++) {
         struct d3 v = d3_of(values + 4 * i);
         double along = (double)values[4 * i + 3], turned = (double)values[4 * (CASES + i) + 3];
-        // y - h changes by v_y - grad h . (v_x, v_z); the gradient may point anywhere.
+        // Along v, y - h changes by v_y - grad h . (v_x, v_z). The gradient may have any direction.
         double most = 0.0;
         for (int k = 0; k < 720; k++) {
             double angle = MIRROR_PI * k / 360.0;
@@ -208,7 +209,9 @@ TEST(stretches_are_the_largest_slopes)
     free(values);
     double u = (double)numbers[0] * (double)numbers[1];
     double all = sqrt(1.0 + (double)numbers[0] * (double)numbers[0]);
-    print_message("# stretches: worst %.2g; largest %.4f and %.4f\n", worst, height, twist);
+    print_message(
+        "# stretches: worst error %.2g; largest of the height field %.4f, of the twist %.4f\n",
+        worst, height, twist);
     assert_true(worst < 1e-4);
     assert_true(height <= all + 1e-6 && height > 0.999 * all);
     assert_true(twist <= 0.5 * (u + sqrt(u * u + 4.0)) + 1e-6 &&

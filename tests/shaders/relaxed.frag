@@ -1,6 +1,6 @@
 #version 330 core
-// For relaxed.c: marches over random distances, and stretches along a ray.
-// Time selects the function, iMouse contains four numbers for it; x is the number of the case, y of the row.
+// For relaxed.c: marches over random distances, and stretches along a ray. Time selects the function; iMouse contains
+// its arguments. A pixel's x is the index of the case, its y the row.
 
 in float Time;
 out vec4 FragColor;
@@ -22,8 +22,9 @@ float lot(int thing, int dimension)
     return cellRandom(ivec3(number, thing, dimension));
 }
 
-// Function 0: along x, the smallest of eight slopes that rise from objects; some of the objects have a surface, others
-// only come close. Function 1: points beside the ray. 3: a wall ahead, or beside.
+// Function 0: the smallest of eight distances that rise linearly along x on both sides of an object; some of the
+// objects have a surface, others only come close. Function 1: a point beside the ray. Function 3: a wall in front of
+// the ray, or beside it.
 float sceneDistance(vec3 p)
 {
     if (function == 3)
@@ -49,7 +50,7 @@ void main()
     Ray ray = Ray(vec3(0.0), vec3(1.0, 0.0, 0.0));
     vec3 direction = normalize(vec3(lot(0, 4), lot(0, 5), lot(0, 6)) - 0.5);
     if (function <= 1 || function == 3) {
-        // iMouse: omega in z, the threshold in y; the upper row is marchCone.
+        // iMouse: threshold (y), omega (z). The upper row is marchCone.
         float far = function == 3 ? 10.0 : 12.0;
         Hit hit = upper ? marchCone(ray, 0.0, far, iMouse.y, 0.001, 512)
                         : marchRelaxed(ray, 0.0, far, iMouse.y, 0.001, iMouse.z, 512);

@@ -9,7 +9,7 @@
 
 enum { WIDE = 256, ROWS = 64, ITEMS = WIDE * ROWS };
 
-// What the shader's Time selects.
+// The functions that Time selects in the shader.
 enum {
     SYMMETRIC,
     LIMITED,
@@ -51,7 +51,7 @@ static double tower(struct d3 q, int x, int z)
     return brute_box(d3(q.x, q.y - tall, q.z), d3(0.8, tall, 0.8));
 }
 
-// The copy of a cell with these x and z, with its centre at the origin.
+// The distance from q, relative to the centre of the cell x, z, to the copy in this cell.
 static double copy(int function, struct d3 q, int x, int z)
 {
     if (function <= LIMITED)
@@ -67,7 +67,7 @@ static double copy(int function, struct d3 q, int x, int z)
 
 struct field {
     int function;
-    float v[4]; // period, axes, first, last
+    float v[4]; // period, number of axes, first and last cell
 };
 
 static int nearest_cell(const struct field *field, int axis, double x)
@@ -75,7 +75,8 @@ static int nearest_cell(const struct field *field, int axis, double x)
     return (double)field->v[1] > axis ? (int)lround(x / (double)field->v[0]) : 0;
 }
 
-// The cells along an axis that are tried: all existing ones near x.
+// The first and the last cell to try along an axis: the cells near x, or all cells if their number
+// is limited.
 static void cells_tried(const struct field *field, int axis, double x, int range[2])
 {
     int reach = (double)field->v[1] > axis ? (field->function < TOWERS ? 2 : 7) : 0;
@@ -110,10 +111,10 @@ static float *ask(const struct field *field)
     return gpu_call(SHADER, WIDE, ROWS, field->function, field->v);
 }
 
-// The findings over all points: how far the GPU's number is above and below the brute force.
+// How far the GPU's distance is above and below the true one, over all points outside the copies.
 struct found {
-    double over, under; // largest, >= 0
-    int outside;        // points outside of all copies
+    double over, under; // largest differences, >= 0
+    int outside;        // points outside all copies
 };
 
 static struct found compare(const struct field *field)
@@ -134,7 +135,7 @@ static struct found compare(const struct field *field)
     return found;
 }
 
-static const double rounding = 6e-6; // coordinates up to 20, a few roundings of 6e-8 each
+static const double rounding = 6e-6; // a few roundings, 6e-8 each, of coordinates up to 20
 
 static void check_exact(const char *what, const struct field *field)
 {
@@ -147,16 +148,16 @@ static void check_exact(const char *what, const struct field *field)
 static void check_bound(const char *what, const struct field *field)
 {
     struct found found = compare(field);
-    print_message("# %s: never more than %.1e over, up to %.2f under\n", what, found.over,
+    print_message("# %s: at most %.1e too large, up to %.2f too small\n", what, found.over,
                   found.under);
     assert_true(found.over < rounding && found.under > 0.1);
 }
 
-// The largest overestimate, which must be within 3 per cent of the expected one.
+// The largest overestimate must be within 3 per cent of the expected one.
 static void check_over(const char *what, const struct field *field, double expected)
 {
     struct found found = compare(field);
-    print_message("# %s: over-estimates by up to %.3f\n", what, found.over);
+    print_message("# %s: overestimates by up to %.3f\n", what, found.over);
     assert_true(fabs(found.over / expected - 1.0) < 0.03);
 }
 
@@ -173,7 +174,7 @@ TEST(test_mirrored_copies_need_no_correction)
     check_exact("mirrored planks", &(struct field){MIRRORED, {2.5f, 1.0f, 0.0f, 0.0f}});
 }
 
-TEST(test_the_own_copy_alone_over_estimates)
+TEST(test_one_copy_overestimates)
 {
     check_over("ball 1.5 aside", &(struct field){OFFSET_OWN, {4.0f, 1.0f, 0.0f, 0.0f}}, 3.0);
     check_over("plank", &(struct field){PLANK_OWN, {2.5f, 1.0f, 0.0f, 0.0f}}, 0.94);
@@ -192,26 +193,27 @@ TEST(test_the_nearer_neighbour_corrects_identical_copies)
 
 TEST(test_copies_that_vary_need_the_wall)
 {
-    // Towers 1.6 wide fill cells of 1.6: the wall is as near as another tower may be.
+    // Towers 1.6 wide fill cells 1.6 wide, so another tower may be as near as the wall.
     check_bound("towers, capped", &(struct field){TOWERS_CAPPED, {1.6f, 2.0f, 0.0f, 0.0f}});
     check_bound("towers -2 to 1", &(struct field){ROW_LIMITED, {1.6f, 1.0f, -2.0f, 1.0f}});
-    check_bound("own tower, others", &(struct field){LONELY, {2.0f, 2.0f, 0.0f, 0.0f}});
+    check_bound("own tower and cellOthers", &(struct field){LONELY, {2.0f, 2.0f, 0.0f, 0.0f}});
     struct found four = compare(&(struct field){TOWERS, {2.0f, 2.0f, 0.0f, 0.0f}});
     struct found three = compare(&(struct field){ROW, {2.0f, 1.0f, 0.0f, 0.0f}});
-    print_message("# no cap: four towers of a field over by %.2f, three of a row by %.2f\n",
+    print_message("# without a cap, the distance to four towers of a field is too large by up to "
+                  "%.2f, to three towers of a row by up to %.2f\n",
                   four.over, three.over);
     assert_true(four.over > 1.0 && three.over > 1.0);
 }
 
 // ---- Is the capped distance continuous? ----
 
-// The distance to the tower of a cell, or a weaker bound: `share` of it.
+// A lower bound of the distance to the tower of a cell: `share` times the distance.
 static double tower_in(struct d3 p, double period, int x, int z, double share)
 {
     return share * tower(d3_sub(p, d3(period * x, 0.0, period * z)), x, z);
 }
 
-// The smaller of cellOthers and the distance to the cell's own tower. Cells are 2 wide, and a tower
+// The smaller of cellOthers and the bound for the cell's own tower. Cells are 2 wide, and a tower
 // reaches 0.8 from the centre of its cell.
 static double own_and_others(struct d3 p, double share)
 {
@@ -220,7 +222,7 @@ static double own_and_others(struct d3 p, double share)
     return fmin(tower_in(p, 2.0, x, z, share), cap);
 }
 
-// The four towers of the block, which fill their cells of 1.6; without the wall.
+// The smallest bound for the four towers of the block, which fill cells 1.6 wide, without cellWall.
 static double block_alone(struct d3 p, double share)
 {
     int x = (int)floor(p.x / 1.6 + 0.5), z = (int)floor(p.z / 1.6 + 0.5);
@@ -233,7 +235,7 @@ static double block_alone(struct d3 p, double share)
     return nearest;
 }
 
-// The same under the cap of cellWall.
+// The smaller of block_alone and cellWall.
 static double block_and_wall(struct d3 p, double share)
 {
     double x = fabs(p.x - 1.6 * floor(p.x / 1.6 + 0.5)),
@@ -248,8 +250,9 @@ static double chance(void)
     return (double)(state >> 8) / 16777216.0;
 }
 
-// The largest change of a distance per unit of length: between points near the walls and centres of
-// cells, where other copies are evaluated, and points beside them.
+// The largest change of a distance per unit of length, between random points and points beside
+// them. Most of the points are near the walls or centres of cells, where other copies begin to be
+// evaluated.
 static double steepest(double (*distance)(struct d3 p, double share), double period, double share)
 {
     double slope = 0.0;
@@ -269,7 +272,7 @@ static double steepest(double (*distance)(struct d3 p, double share), double per
     return slope;
 }
 
-// The GPU computes the formula whose slope is checked.
+// Check that the GPU computes the formula whose slope is tested.
 static void check_formula(const struct field *field, double (*distance)(struct d3 p, double share))
 {
     float *values = ask(field);
@@ -279,10 +282,10 @@ static void check_formula(const struct field *field, double (*distance)(struct d
     free(values);
 }
 
-// If copies are evaluated with their distances, those that a step over a wall drops and those that
-// it adds are at or above the cap, so nothing jumps. Half of each distance is also a bound, but it
-// jumps.
-TEST(test_the_cap_glues_the_cells)
+// With the full distances, the copies that are evaluated only on one side of a wall are at or above
+// the cap there, so the result does not jump. With half of each distance, the result is also a
+// bound, but it jumps.
+TEST(test_the_cap_makes_the_distance_continuous)
 {
     check_formula(&(struct field){LONELY, {2.0f, 2.0f, 0.0f, 0.0f}}, own_and_others);
     check_formula(&(struct field){TOWERS_CAPPED, {1.6f, 2.0f, 0.0f, 0.0f}}, block_and_wall);
@@ -307,7 +310,7 @@ static double all_towers(struct d3 p, double share)
     return nearest;
 }
 
-// Where a ray above the towers meets them, or 30.
+// The distance along a ray from above the towers to the first tower, at most 30.
 static double marched(double (*distance)(struct d3 p, double share), double share, struct d3 from,
                       struct d3 direction)
 {
@@ -319,9 +322,9 @@ static double marched(double (*distance)(struct d3 p, double share), double shar
     return fmin(t, 30.0);
 }
 
-// A bound that jumps is safe too: a march by half of each distance, under the cap, passes through
-// no tower. Without the cap, even one by the full distances does.
-TEST(test_a_march_by_a_bound_that_jumps)
+// A bound that jumps is also safe: a march with half of each distance and the cap passes through no
+// tower. Without the cap, even a march with the full distances passes through some.
+TEST(test_a_march_with_a_bound_that_jumps)
 {
     int jumping = 0, uncapped = 0, hits = 0;
     for (int i = 0; i < 1500; i++) {
@@ -330,8 +333,8 @@ TEST(test_a_march_by_a_bound_that_jumps)
         way = d3_times(1.0 / d3_length(way), way);
         double truth = marched(all_towers, 1.0, from, way);
         hits += truth < 30.0;
-        // The threshold lets the half distance stop up to 2e-4 in front of a tower, and a grazing
-        // ray even earlier.
+        // With half the distances, the march may stop 2e-4 in front of a tower, and even earlier if
+        // the ray grazes the tower.
         jumping += marched(block_and_wall, 0.5, from, way) > truth + 0.01;
         uncapped += marched(block_alone, 1.0, from, way) > truth + 0.01;
     }

@@ -1,7 +1,7 @@
 #version 330 core
-// For repetition.c and cells.c: repeated solids at random points, the operators at given numbers, the hash.
-// Time selects the function; iMouse: period, number of repeated axes, first and last cell. Each pixel is (p, f(p)), or
-// four numbers.
+// For repetition.c and cells.c: repeated solids at random points, and the operators and the hash at given numbers. Time
+// selects the function; iMouse: period, number of repeated axes, first and last cell. Each pixel is (p, f(p)), or four
+// numbers.
 
 in float Time;
 out vec4 FragColor;
@@ -12,20 +12,20 @@ uniform vec4 iMouse;
 #include "primitives.glsl"
 #include "repetition.glsl"
 
-// Fits in its cell and is its own mirror image in every axis.
+// A solid that fits in its cell and is mirror-symmetric along every axis.
 float symmetric(vec3 q)
 {
     return min(sdBox(q, vec3(0.9, 0.3, 0.5)), sdSphere(q, 0.7));
 }
 
-// A plank turned by 30 degrees in a cell of 2.5.
+// A plank in a cell 2.5 wide, turned by 30 degrees.
 float plank(vec3 q)
 {
     const float c = 0.8660254037844386;
     return sdBox(vec3(c * q.x - 0.5 * q.z, q.y, 0.5 * q.x + c * q.z), vec3(1.2, 1.0, 0.2));
 }
 
-// A ball off the centre of a cell of 4.
+// A ball beside the centre of a cell 4 wide.
 float offset(vec3 q)
 {
     return sdSphere(q - vec3(1.5, 0.0, 0.0), 0.4);
@@ -46,7 +46,7 @@ float towers(vec3 p)
     return min(near, min(tower(p, own.x, next.y), tower(p, next.x, next.y)));
 }
 
-// Along one axis, with both neighbours.
+// The towers of the cell and of both its neighbours along the x axis.
 float row(vec3 p)
 {
     float own = cellOf(p.x, iMouse.x);
@@ -69,7 +69,7 @@ float limitedTowers(vec3 p)
     return min(wall, min(tower(p, own, 0.0), tower(p, next, 0.0)));
 }
 
-// Only the cell's own tower, which reaches 0.8 from the centre of its cell.
+// Only the tower of the cell, which reaches 0.8 from the cell's centre, and cellOthers.
 float lonely(vec3 p)
 {
     float own = tower(p, cellOf(p.x, iMouse.x), cellOf(p.z, iMouse.x));
@@ -128,7 +128,7 @@ void main()
             p.z = 0.0;
         FragColor = vec4(p, asked(p));
     } else if (Time < 21.0) {
-        // Sixteenths: they include walls, centres and points on both sides of each.
+        // Multiples of 1/16, which include the walls and the centres of cells, and points on both sides of them.
         float x = 0.0625 * float(item - 8192);
         FragColor = vec4(x, cellOf(x, iMouse.x), opRepeat(x, iMouse.x), opRepeatMirrored(x, iMouse.x));
     } else if (Time < 22.0) {

@@ -1,5 +1,5 @@
 // root.c - chapters/experiments/23_exact_root.frag: the first root of the interpolation along a
-// ray, compared with samples of the interpolation in double precision, and where its march ends.
+// ray, compared with samples in double precision, and the points at which the march ends.
 #include "lib/test.h"
 
 #include "lib/chapter.h"
@@ -13,7 +13,7 @@ static const char *const experiment = "#include \"main.glsl\"\n"
 
 // ---- One cell ----
 
-// The next number in [-1, 1), the same in C and in the shader.
+// The next random number in [-1, 1), the same in C and in the shader.
 static double next(uint32_t *seed)
 {
     *seed = *seed * 747796405u + 2891336453u;
@@ -43,7 +43,7 @@ static const char *const one_cell =
     "    return vec3(0.5 + 0.25 * root, 0.25 * last, 0.0);\n"
     "}\n";
 
-// A cell, and a ray from a point in it.
+// The values at the corners of a cell, and a ray from a point in the cell.
 struct cell {
     double value[8], from[3], along[3];
 };
@@ -82,7 +82,7 @@ static struct cell random_cell(int n)
     return c;
 }
 
-// The distance to the end of the cell.
+// The distance along the ray to the border of the cell.
 static double end_of(const struct cell *c)
 {
     double end = 2.0;
@@ -143,7 +143,7 @@ static const char *const whole_march =
 
 struct ends {
     int clay;                      // pixels that show clay
-    double residual, least, steps; // largest |value| at the end, smallest before it, mean
+    double residual, least, steps; // largest |value| at the end, smallest value before, mean steps
 };
 
 static struct ends ends_of(double exact)
@@ -172,10 +172,11 @@ TEST(the_march_ends_at_the_surface)
     snprintf(text, sizeof text, "%s%s", experiment, whole_march);
     assert_true(gpu_load_text(text));
     struct ends march = ends_of(0.0), root = ends_of(1.0);
-    print_message("# pixels of clay: %d; evaluations of the march %.2f, with the root %.2f\n",
+    print_message("# pixels of clay: %d; mean evaluations of the march %.2f, with the root %.2f\n",
                   root.clay, march.steps, root.steps);
-    print_message("# largest residual: march %.2g, root %.2g; deepest sample before it %.2g\n",
-                  march.residual, root.residual, fabs(root.least));
+    print_message(
+        "# largest residual: march %.2g, root %.2g; deepest sample before the root %.2g\n",
+        march.residual, root.residual, fabs(root.least));
     assert_true(root.clay > 10000);
     assert_true(root.residual < 2e-6);
     assert_true(root.least > -2e-6);

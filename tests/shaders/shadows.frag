@@ -1,14 +1,14 @@
 // For tests/lib/measure.c: the visible share of the sun in the scene of chapter 13, from one march (red) and from 1024
-// rays (blue); 1 where no shadow is computed. The last formula is that of the solution of exercise 5.
+// rays (blue). Both are 1 where no shadow is computed. The last formula is that of the solution of exercise 5.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"
 #undef rayColour
 
-uniform int formula; // 0 in [0, 4]: hard, the smallest distance / t, pairs of steps, both twice as hard, continued inside
+uniform int formula; // 0 in [0, 4]: hard, smallest distance / t, pairs of steps, pairs twice as hard, continued inside
 
-// As in that solution: the smallest distance / t, at least -spread. With steps of at least a fiftieth of the length, it
-// passes through the objects that it meets.
+// As in the solution of exercise 5: the smallest distance / t, from -spread to spread. A step is never shorter than
+// 0.01 + t / 50, so the march passes through the objects that it meets.
 float signedClearance(Ray ray, float far)
 {
     float t = hitThreshold, smallest = spread;

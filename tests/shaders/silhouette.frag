@@ -1,4 +1,4 @@
-// For tests/lib/measure.c: a ball of radius 1 at the origin, white before black.
+// For tests/lib/measure.c: a ball of radius 1 at the origin, white on black.
 
 #include "main.glsl"
 #include "camera.glsl"

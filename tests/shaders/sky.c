@@ -1,5 +1,5 @@
-// sky.c - chapter 09's air, sun and city compared with double precision: exact values, geometry,
-// and a brute force over the towers of nine by nine blocks.
+// sky.c - chapter 09's air, sun and city compared with double precision: with exact values, with
+// geometry, and with brute force over the towers of nine by nine blocks.
 #include "lib/test.h"
 #include "lib/city.h"
 #include "lib/gpu.h"
@@ -10,9 +10,9 @@ static float *sky(int function, int rows, float x, float y)
     return gpu_call("tests/shaders/sky.frag", 1024, rows, function, (const float[4]){x, y});
 }
 
-// The length of a ray from the ground through a shell of uniform density, from the triangle of the
-// Earth's centre, the observer and the point where the ray leaves: with the cosine rule, in double
-// precision.
+// The length of a ray from the ground through a shell of uniform density, in thicknesses of the
+// shell, in double precision. It follows from the cosine rule in the triangle of the Earth's
+// centre, the observer and the point where the ray leaves the shell.
 static double shell_way(double s, double earth)
 {
     double b = earth * fmax(s, 0.0);
@@ -43,9 +43,9 @@ TEST(test_air_mass_and_transmittance)
     assert_true(worst < 1e-6);
 }
 
-// F. Kasten, A. T. Young, 'Revised optical air mass tables', Applied Optics 28 (1989): within 0.1 %
-// of the mass of a model atmosphere whose rays are bent; the height is the one at which the sun is
-// seen.
+// F. Kasten, A. T. Young, 'Revised optical air mass tables', Applied Optics 28 (1989): a fit,
+// accurate to 0.1 %, to the air mass of a model atmosphere that refracts the rays. The height is
+// the apparent height of the sun.
 static double kasten_young(double height)
 {
     return 1.0 / (sin(height * MIRROR_PI / 180.0) + 0.50572 * pow(height + 6.07995, -1.6364));
@@ -61,8 +61,9 @@ TEST(test_air_mass_is_near_the_measured_one)
             at = height;
         }
     }
-    print_message("# uniform shell against Kasten and Young: worst %.2f %%, at %.2f degrees\n",
-                  100.0 * worst, at);
+    print_message(
+        "# uniform shell compared with Kasten and Young: off by at most %.2f %%, at %.2f degrees\n",
+        100.0 * worst, at);
     for (int h = 0; h <= 90; h += h < 30 ? 5 : 30)
         print_message("# height %2d: shell %.2f, Kasten and Young %.2f\n", h, mass_at(h),
                       kasten_young(h));
@@ -70,20 +71,20 @@ TEST(test_air_mass_is_near_the_measured_one)
 }
 
 // The integral of the sky's light assumes that a slanting path is the same multiple of the vertical
-// one at every height. In the shell, a horizontal ray has passed half of its air when it has risen
-// through a quarter.
+// path at every height. In the shell, a horizontal ray has passed half of its air when it has risen
+// through a quarter of the shell.
 TEST(test_where_flat_layers_and_the_shell_part)
 {
     double risen = sqrt(pow(721.5 + 0.25, 2.0) - pow(721.5, 2.0)), assumed = 0.25 * mass_at(0.0);
     print_message(
-        "# a level ray, a quarter of the air below it: %.1f air masses in the shell, %.1f by "
-        "the hypothesis\n",
+        "# a level ray that has risen through a quarter of the air: %.1f air masses in the shell, "
+        "%.1f by the assumption\n",
         risen, assumed);
     assert_true(fabs(risen - 19.0) < 0.05 && fabs(assumed - 9.5) < 0.05);
 }
 
-// Hansen and Travis (1974), section 2.1: the optical depth of the air at sea level, wavelength in
-// micrometres.
+// Hansen and Travis (1974), section 2.1: the optical depth of the air above sea level. The
+// wavelength is in micrometres.
 static double air_depth(double wavelength)
 {
     double x = 1.0 / (wavelength * wavelength);
@@ -95,8 +96,8 @@ TEST(test_the_fourth_power_and_its_correction)
     double red = 0.1 * pow(550.0 / 680.0, 4.0), blue = 0.1 * pow(550.0 / 440.0, 4.0);
     double power = -log(air_depth(0.5501) / air_depth(0.5499)) / log(0.5501 / 0.5499);
     print_message(
-        "# fourth power: %.3f 0.1 %.3f, blue : red %.2f; Hansen and Travis %.3f %.3f %.3f, "
-        "%.2f, power %.2f at 550 nm; the code 6.25\n",
+        "# fourth power: %.3f 0.1 %.3f, blue : red %.2f; Hansen and Travis: %.3f %.3f %.3f, blue : "
+        "red %.2f, power %.2f at 550 nm; the shader's blue : red is 6.25\n",
         red, blue, blue / red, air_depth(0.68), air_depth(0.55), air_depth(0.44),
         air_depth(0.44) / air_depth(0.68), power);
     assert_true(fabs(red - 0.043) < 5e-4 && fabs(blue - 0.244) < 5e-4);
@@ -111,9 +112,9 @@ TEST(test_the_fourth_power_and_its_correction)
         assert_true(fabs(code[i] / air_depth(wave[i]) - 1.0) < 0.035);
 }
 
-// The remaining share of the sun's white, and the first model of the sky: (0.5, 0.7, 1) times the
-// transmittance beyond one air mass. It is blue at 30 degrees, and red above green above blue only
-// when the sun is low.
+// The share of the sun's white light that remains, and the page's first model of the sky:
+// (0.5, 0.7, 1) times the transmittance of the air beyond one air mass. The model has more red than
+// blue only up to 10 degrees, and more red than green only up to 5 degrees.
 TEST(test_light_of_a_low_sun)
 {
     const double heights[] = {90.0, 46.4, 30.0, 10.0, 5.0, 2.0, 0.0};
@@ -122,9 +123,10 @@ TEST(test_light_of_a_low_sun)
         const float *v = values + 4 * (512 + lround(511.0 * sin(heights[i] * MIRROR_PI / 180.0)));
         double mass = mass_at(heights[i]), red = exp(-0.04 * mass), green = exp(-0.1 * mass),
                blue = exp(-0.25 * mass);
-        print_message("# sun at %.1f: mass %.2f, left %.3f %.3f %.4f, red : blue %.1f\n",
-                      heights[i], mass, red, green, blue, red / blue);
-        // The nearest of the GPU's samples, which are up to 0.06 degrees away except at the zenith.
+        print_message(
+            "# sun at %.1f degrees: air mass %.2f, remaining %.3f %.3f %.4f, red : blue %.1f\n",
+            heights[i], mass, red, green, blue, red / blue);
+        // The nearest of the GPU's samples is at most 0.065 degrees away.
         assert_true(fabs((double)v[2] / red - 1.0) < 0.01);
         assert_true(heights[i] < 1.0 || fabs((double)v[3] / blue - 1.0) < 0.05);
         double first[3] = {0.5 * red / exp(-0.04), 0.7 * green / exp(-0.1), blue / exp(-0.25)};
@@ -135,7 +137,7 @@ TEST(test_light_of_a_low_sun)
     free(values);
 }
 
-// The integral of section 5 of the page with Simpson's rule.
+// The integral in section 5 of the page, with Simpson's rule.
 static double scattered(double depth, double v, double s)
 {
     enum { N = 2000 };
@@ -164,14 +166,14 @@ TEST(test_scattered_light_is_the_integral)
         free(values);
         print_message("# scattered light, haze %.2f: worst relative error %.4f\n", (double)haze[k],
                       worst);
-        // Where the masses agree to within 0.02, one of them is moved by up to 0.04, which changes
-        // the light by depth / 50.
+        // Where the air masses differ by less than 0.02, the shader changes one of them by up to
+        // 0.04, which changes the light by a share of up to depth / 50.
         assert_true(worst < (0.25 + (double)haze[k]) / 40.0);
     }
 }
 
-// The sky's table: the light scattered at noon and at sunset, overhead and at the horizon. The blue
-// of the evening's zenith comes from the gain, not from the scattering.
+// The page's table of the sky: the light scattered at noon and at sunset, overhead and at the
+// horizon. The blue of the zenith at sunset comes from the gain, not from the scattering.
 TEST(test_the_four_skies)
 {
     const double depth[3] = {0.04, 0.1, 0.25}, gain[3] = {1.4, 1.75, 3.1};
@@ -196,8 +198,9 @@ TEST(test_the_four_skies)
     }
 }
 
-// From spherical geometry: the angle to the celestial pole is 90 degrees minus the declination, the
-// day turns the sun uniformly about it, and at noon it is at 90 - latitude + declination.
+// Compare the sun with spherical geometry: its angle to the celestial pole is 90 degrees minus the
+// declination, it turns uniformly about the pole, and its height at noon is 90 degrees minus the
+// difference between latitude and declination.
 static void check_sun(float latitude, float declination)
 {
     float *values = sky(2, 1, latitude, declination);
@@ -209,7 +212,7 @@ static void check_sun(float latitude, float declination)
         double angle = ((double)values[4 * i + 3] - 12.0) * MIRROR_PI / 12.0;
         assert_true(fabs(d3_length(sun) - 1.0) < 2e-6);
         assert_true(fabs(d3_dot(sun, pole) - sin(d)) < 1e-6);
-        // At midnight, a root of 1 minus a number near 1 has few correct digits.
+        // Near midnight, the root of 1 minus a number near 1 has few correct digits.
         double slack = 2e-6 + 4e-7 / fmax(cos(0.5 * angle), 6e-4);
         assert_true(fabs(d3_dot(sun, rise) + cos(d) * sin(angle)) < slack);
         assert_true(fabs(d3_dot(sun, meridian) - cos(d) * cos(angle)) < 2e-6);
@@ -231,20 +234,22 @@ TEST(test_sun_runs_as_the_sphere_says)
     for (int i = 0; i < 4; i++) {
         double d = season[i] * MIRROR_PI / 180.0, p = 43.6 * MIRROR_PI / 180.0;
         double half = degrees(acos(-tan(p) * tan(d))) / 15.0;
-        // An almanac's sunset: the upper rim, raised by refraction, is at the horizon.
+        // At an almanac's sunset, the upper rim of the sun, raised by refraction, is at the
+        // horizon.
         double low = sin(-0.833 * MIRROR_PI / 180.0) - sin(p) * sin(d);
         double later = degrees(acos(low / (cos(p) * cos(d)))) * 4.0 - 60.0 * half;
         print_message(
-            "# declination %.2f: sunrise %.2f, sunset %.2f, an almanac's %.1f minutes later, "
+            "# declination %.2f: sunrise %.2f, sunset %.2f (in an almanac %.1f minutes later), "
             "noon height %.1f\n",
             season[i], 12.0 - half, 12.0 + half, later, 90.0 - 43.6 + season[i]);
         assert_true(later > 4.5 && later < 5.6);
-        // At these hours the height is 0.
+        // At sunrise and sunset, the height is 0.
         assert_true(fabs(sin(p) * sin(d) + cos(p) * cos(d) * cos(half * MIRROR_PI / 12.0)) < 1e-12);
     }
 }
 
-// The hour of the picture itself: the sun is low, and nearly in line with an avenue that runs west.
+// At the hour of the chapter's picture, the sun is low and nearly in line with an avenue that runs
+// west.
 TEST(test_sun_of_the_picture)
 {
     float *values = sky(2, 1, 43.6f, 2.0f);
@@ -303,7 +308,7 @@ TEST(test_city_is_never_farther_than_it_says)
     free(positions);
     free(distances);
     print_message("# city: %d points, %d in towers, %d where the cap or a corner matters; "
-                  "least share %.3f\n",
+                  "at least %.3f of the true distance\n",
                   asked, inside, capped, closest);
     assert_true(inside > 1000 && capped > 1000);
 }
@@ -327,13 +332,14 @@ TEST(test_trees_are_1_lipschitz)
 
 static struct probe probe; // too large for the stack
 
-// Along the middle of the avenue only the cap counts: steps of half a street.
+// In the middle of the avenue, the distance is that of the cap: every step is half a street long.
 TEST(test_steps_down_the_avenue)
 {
     struct renderer_inputs inputs = {
         .width = 1, .height = 1, .samples = 1, .camera = {.position = {3.0f, 5.0f, 0.0f}}};
     assert_true(gpu_load("chapters/09_sky_and_sunset.frag"));
-    // A picture of one pixel has a wide ray, so the far end of the march is not checked here.
+    // In a picture of one pixel, the ray's cone is wide, so the far end of the march is not checked
+    // here.
     assert_true(renderer_probe(&gpu.renderer, &inputs, 0, 0, &probe));
     for (int i = 0; i < probe.steps; i++)
         assert_true(fabs((double)probe.step[i].distance - 1.35) < 1e-6);

@@ -1,5 +1,6 @@
 #version 330 core
-// For sky.c: the sky's functions. Time selects the function; x is the pixel's coordinate.
+// For sky.c: the functions of sky.glsl. Time selects the function; iMouse contains some of its
+// arguments, and the pixel's coordinates determine the others.
 
 in float Time;
 out vec4 FragColor;
@@ -12,16 +13,16 @@ void main()
 {
     float number = floor(gl_FragCoord.x) + 1024.0 * floor(gl_FragCoord.y);
     if (Time < 1.0) {
-        float height = (number - 512.0) / 511.0; // sine, from just below -1 to 1
+        float height = (number - 512.0) / 511.0; // sine of the height, from just below -1 to 1
         vec3 through = transmittance(RAYLEIGH, airMass(height));
         FragColor = vec4(height, airMass(height), through.x, through.z);
-    } else if (Time < 2.0) { // iMouse.x: haze
+    } else if (Time < 2.0) { // iMouse: haze
         float view = 1.0 + 37.0 * floor(gl_FragCoord.y) / 63.0;
         float sun = view + (number < 32768.0 ? 0.04 : 1.0) * 0.02 * (floor(gl_FragCoord.x) - 512.0);
         sun = clamp(sun, 1.0, 38.0);
         vec3 light = scatteredLight(RAYLEIGH + iMouse.x, view, sun);
         FragColor = vec4(view, sun, light.x, light.z);
-    } else if (Time < 3.0) { // iMouse.xy: latitude, declination
+    } else if (Time < 3.0) { // iMouse: latitude, declination
         FragColor = vec4(sunDirection(number * 0.0234375, iMouse.x, iMouse.y), number * 0.0234375);
     } else {
         float angle = number * 0.003;

@@ -1,5 +1,5 @@
-// sky_table.c - the tables of the clear sky compared with an independent integration, the values
-// between the tables, the closed forms, and measurements of the real sky.
+// sky_table.c - the tables of the clear sky, the values between the tables, and the closed forms,
+// compared with an independent integration and with measurements of the real sky.
 #include "lib/test.h"
 #include "textures/air.h"
 #include "lib/air.h"
@@ -19,9 +19,9 @@ static int setup(void **state)
 
 // ---- The integral ----
 
-// The program's integral, with Simpson's rule and midpoints in the air up to 120 km, compared with
-// Gauss's: within 1.5 per cent of the direction's brightest channel wherever there is visible
-// light.
+// The integral of shaders/textures/air.h, with Simpson's rule and midpoints in the air up to 120
+// km, compared with Gauss-Legendre quadrature: the two agree to within 1.5 per cent of the
+// brightest channel of the direction wherever there is visible light.
 TEST(test_program_integrates)
 {
     const double suns[] = {60.0, 20.0, 5.0, 1.0, -2.0, -4.0, -6.0, -8.0},
@@ -46,21 +46,22 @@ TEST(test_program_integrates)
 
 // ---- The tables ----
 
-// Along the middles of both halves of the sky, the tables are right to within 2.3 steps of the
-// screen, exposed for the hour, in every direction.
+// Along the middle of each half of the sky, the tables are right to within 2.3 of the screen's 255
+// steps in every direction, when exposed for the hour.
 TEST(test_tables_are_right_along_their_middles)
 {
     for (int half = -1; half <= 1; half += 2) {
         struct sky_table_error e = sky_table_error(0, half, false);
-        print_message(
-            "# azimuth %3d: off by %.2f of 255 on average, %.2f at most, sun %.1f, height %.1f\n",
-            half > 0 ? 0 : 180, e.mean, e.most, e.sun, e.height);
+        print_message("# azimuth %3d: off by %.2f of 255 on average, by at most %.2f with the sun "
+                      "at %.1f and the direction at %.1f degrees\n",
+                      half > 0 ? 0 : 180, e.mean, e.most, e.sun, e.height);
         assert_true(e.most >= 0.0 && e.most <= 2.3 && e.mean < 0.15);
     }
 }
 
-// Between them, the share is a model: by day it is also right to within a step, but not when the
-// sun is lower. The article's two models are worse at each angle.
+// Between these middles, a model mixes the tables. By day, the result is also right to within one
+// step, but not when the sun is lower. The article's two methods have more than four times the mean
+// error at every angle.
 TEST(test_between_the_tables)
 {
     for (int angle = 45; angle <= 135; angle += 45) {
@@ -68,11 +69,12 @@ TEST(test_between_the_tables)
         struct sky_table_error e[3];
         for (int way = 0; way < 3; way++) {
             e[way] = sky_table_error(way, azimuth, false);
-            print_message("# azimuth %3d, method %d: off by %.2f of 255 on average, %.1f at most, "
-                          "sun %.1f, height %.1f\n",
-                          angle, way, e[way].mean, e[way].most, e[way].sun, e[way].height);
+            print_message(
+                "# azimuth %3d, method %d: off by %.2f of 255 on average, by at most %.1f "
+                "with the sun at %.1f and the direction at %.1f degrees\n",
+                angle, way, e[way].mean, e[way].most, e[way].sun, e[way].height);
         }
-        print_message("#   by day %.2f at most\n", e[0].by_day);
+        print_message("#   by day off by at most %.2f\n", e[0].by_day);
         assert_true(e[0].by_day <= 1.0 && e[0].mean < 0.9 && e[0].most < 19.0);
         assert_true(e[1].mean > 4.0 * e[0].mean && e[2].mean > 4.0 * e[0].mean);
     }
@@ -127,13 +129,13 @@ TEST(test_sunlight_and_ambient_light)
     }
     free(direct);
     free(around);
-    print_message("# sunlight off by %.1f %%, ambient light by %.2f stops\n", 100.0 * off_direct,
-                  off_around);
+    print_message("# sunlight off by at most %.1f %%, ambient light by at most %.2f stops\n",
+                  100.0 * off_direct, off_around);
     assert_true(off_direct < 0.05 && off_around < 0.45);
 }
 
-// Each phase function equals its formula, and all directions together receive all of the light: the
-// integral over the cosine is 1, and the mean cosine of the dust is 0.76.
+// Each phase function equals its formula and sends on all of the light: its integral over all
+// directions is 1. The mean cosine of the dust is 0.76.
 TEST(test_phases_send_on_all)
 {
     enum { STEPS = 20000 };
@@ -159,7 +161,8 @@ TEST(test_phases_send_on_all)
     free(values);
 }
 
-// The stops rise without a jump as the sun sinks, by at most 0.85 for each stop of light.
+// As the sun sinks, the exposure rises without a jump, by at most 0.85 stops for each stop of light
+// that is lost.
 TEST(test_stops_follow_the_hour)
 {
     float *values = sky_table_read(0, 3, 1.0, false);
@@ -171,13 +174,13 @@ TEST(test_stops_follow_the_hour)
         assert_true(before[2] < 1e-6f ||
                     fall <= 0.851 * log2((double)(here[2] / fmaxf(before[2], 1e-9f))) + 1e-3);
     }
-    print_message("# stops: %.2f with the sun at -17.5 degrees, %.2f in the zenith\n",
+    print_message("# stops: %.2f with the sun at -17.5 degrees, %.2f with the sun at the zenith\n",
                   log2((double)values[1]), log2((double)values[4 * (SKY_SUNS - 1) + 1]));
     free(values);
 }
 
-// A disc of any radius sends nearly the same total light, the sunlight; outside it, its halo adds
-// less than a twentieth.
+// A disc of the sun of any radius sends nearly the same total light, the sunlight; the halo around
+// the disc adds less than a twentieth.
 TEST(test_disc_sends_the_sunlight)
 {
     double truth[3];
@@ -202,11 +205,11 @@ TEST(test_disc_sends_the_sunlight)
 
 // ---- The real sky ----
 
-// The light on level ground, from day to the end of nautical twilight, within a factor of 1.5 of
-// measurements. Later, the measured formula joins two known values, so the zenith is compared
-// instead: F. Patat, O. S. Ugolnikov, O. V. Postylyakov, 'UBVRI twilight sky brightness at
-// ESO-Paranal', Astronomy and Astrophysics 455 (2006), in magnitudes per square second of arc, 27
-// units at 0.
+// From day to the end of nautical twilight, the light on level ground is within a factor of 1.5 of
+// measurements. Later, the formula for the measurements only joins two known values, so the zenith
+// is compared instead, with F. Patat, O. S. Ugolnikov, O. V. Postylyakov, 'UBVRI twilight sky
+// brightness at ESO-Paranal', Astronomy and Astrophysics 455 (2006). Their values are in magnitudes
+// per square second of arc; magnitude 0 is 27 units.
 TEST(test_twilight_is_as_bright_as_measured)
 {
     for (int i = 0; i <= 12; i++) {
@@ -216,8 +219,8 @@ TEST(test_twilight_is_as_bright_as_measured)
         double all = lux.once + lux.more + lux.sun + lux.night,
                of = all / sky_measured_lux(suns[i]);
         print_message(
-            "# sun at %6.2f: %.3g lux scattered once, %.3g more, %.3g in all, %.2f of what "
-            "was measured\n",
+            "# sun at %6.2f: %.3g lux scattered once, %.3g more than once, %.3g in all, %.2f times "
+            "the measured value\n",
             suns[i], lux.once, lux.more, all, of);
         assert_true(of > 1.0 / 1.5 && of < 1.5);
     }
@@ -225,21 +228,21 @@ TEST(test_twilight_is_as_bright_as_measured)
         double light[3], x = d - 5.0, magnitude = 11.84 + 1.518 * x - 0.057 * x * x;
         air_all_of(sine(-d), 1.0, 1.0, 1.0, light);
         double of = (air_luminance(light) / 4000.0 + 5e-8) / (27.0 * pow(10.0, -0.4 * magnitude));
-        print_message("# sun at -%d: zenith %.2f of what was measured\n", d, of);
+        print_message("# sun at -%d: zenith %.2f times the measured value\n", d, of);
         assert_true(of > 1.0 / 1.6 && of < 1.6);
     }
 }
 
-// Light scattered more than once, compared with random paths, which use no grid, no order and no
-// mean over directions: all the light of a direction agrees within 13 % and two standard errors;
-// with the sun at or above the horizon, the light scattered once agrees within 4 %.
-TEST(test_program_against_chance)
+// The light is compared with random paths, which use no grid, no orders of scattering and no mean
+// over directions. All the light of a direction agrees to within 13 % plus two standard errors.
+// With the sun at or above the horizon, the light scattered once agrees to within 4 %.
+TEST(test_program_against_random_paths)
 {
     enum { WAVE = 8, COUNT = 30000 };
     const double suns[] = {48.4, 0.0, -4.0, -6.0}, views[] = {1.0, 0.3, 0.05};
     for (int i = 0; i < 4 * 3 * 2; i++) {
         double sun = sine(suns[i / 6]), view = views[i / 2 % 3], azimuth = i % 2 == 0 ? 1.0 : -1.0;
-        if (view == 1.0 && azimuth < 0.0) // at the zenith, every azimuth is the same
+        if (view == 1.0 && azimuth < 0.0) // at the zenith, the azimuth has no effect
             continue;
         double c = sun * view + sqrt((1.0 - sun * sun) * (1.0 - view * view)) * azimuth;
         struct air_paths chance = air_paths(sun, view, azimuth, 0.15, WAVE, COUNT);
@@ -247,11 +250,11 @@ TEST(test_program_against_chance)
         air_shares(sun, view, azimuth, 1.0, &shares);
         double once = shares.air[WAVE] * 3.0 / (16.0 * MIRROR_PI) * (1.0 + c * c) +
                       shares.dust[WAVE] * 0.4224 / (4.0 * MIRROR_PI) / pow(1.5776 - 1.52 * c, 1.5);
-        double all = once + chance.more; // light scattered once is not random
+        double all = once + chance.more; // the light scattered once comes from the integral
         double of = (once + shares.more[WAVE]) / all;
         print_message(
-            "# sun %5.1f, view %.2f, azimuth %2.0f: once %.3g and %.3g by chance, all %.3f "
-            "of that by chance, within %.3f\n",
+            "# sun %5.1f, view %.2f, azimuth %2.0f: once %.3g, by random paths %.3g; all %.3f "
+            "times that of random paths, standard error %.3f\n",
             suns[i / 6], view, azimuth, once, chance.once, of, chance.error / all);
         assert_true(fabs(of - 1.0) < 0.13 + 2.0 * chance.error / all);
         assert_true(i / 6 > 1 || fabs(chance.once / once - 1.0) < 0.04);
@@ -260,14 +263,14 @@ TEST(test_program_against_chance)
     for (int i = 0; i < 3; i++) {
         struct air_paths chance = air_paths(sine(48.4), 1.0, 1.0, 0.15 * i, WAVE, COUNT);
         double of = 1.0 + chance.more / chance.once;
-        print_message("# albedo %.2f: all over once %.3f\n", 0.15 * i, of);
+        print_message("# albedo %.2f: all light over light scattered once %.3f\n", 0.15 * i, of);
         assert_true(fabs(of - measured[i]) < 0.02);
     }
 }
 
-// The zenith at noon by A. J. Preetham, P. Shirley, B. Smits, 'A practical analytic model for
-// daylight', SIGGRAPH 1999, a fit to simulated skies, with turbidity 2, the clearest for which it
-// is made; and the effect of ozone.
+// The zenith at noon is compared with A. J. Preetham, P. Shirley, B. Smits, 'A practical analytic
+// model for daylight', SIGGRAPH 1999: a fit to simulated skies, here with turbidity 2, the clearest
+// sky for which it is made. The test also shows the effect of ozone.
 TEST(test_the_zenith)
 {
     double light[3], xy[2], blue[2], grey[2];

@@ -1,6 +1,6 @@
 // For sky_table.c and `build/tests/measure sky`: the functions of sky_table.glsl, and the other methods of chapter 18's
-// experiments. iTime selects the function, iMouse.x is its number. The output is clamped to 0 and 1, so it contains the
-// logarithm.
+// experiments. iTime selects the function, and iMouse.x is its argument. The output is clamped to [0, 1], so it
+// contains the scaled logarithm of the result.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "18_sky_from_tables.frag"
@@ -11,7 +11,7 @@
 vec3 answer()
 {
     vec2 k = floor(gl_FragCoord.xy), end = iResolution.xy - 1.0;
-    float s = k.x / end.x, sine = -0.14 + 1.14 * s * s; // of the sun, from -8 degrees up
+    float s = k.x / end.x, sine = -0.14 + 1.14 * s * s; // sine of the sun's height, from -8 degrees up
     vec3 sun = vec3(sqrt(1.0 - sine * sine), sine, 0.0);
     float y = k.y / end.y;
     y = min(y * y, 1.0);
@@ -23,15 +23,15 @@ vec3 answer()
         return tableSunlight(sun);
     if (iTime < 3.0)
         return tableAmbient(sun);
-    if (iTime < 4.0) // the extra exposure and the sky's brightness, for the sine of the sun's height from -0.3 on
+    if (iTime < 4.0) // hourStops and skyBrightness, for the sine of the sun's height from -0.3 on
         return exp2(vec3(0.0, hourStops(-0.3 + 1.3 * s), skyBrightness(-0.3 + 1.3 * s)));
-    if (iTime < 5.0) { // the sun 20 degrees high, at a distance in radii from 0 to 14, above it
+    if (iTime < 5.0) { // 0 to 14 radii above the centre of a sun that is 20 degrees high; iMouse.x: radius
         vec3 at = vec3(cos(radians(20.0)), sin(radians(20.0)), 0.0);
         vec3 up = vec3(-at.y, at.x, 0.0);
         float x = 14.0 * s * s, angle = x * iMouse.x;
         return tableSun(halo, normalize(at * cos(angle) + up * sin(angle)), at, iMouse.x);
     }
-    // The total into all directions, integrated over the cosine.
+    // The cosine plus 1, because the output cannot be negative, and the phase functions.
     float c = 2.0 * s - 1.0;
     return vec3(1.0 + c, phaseAir(c), phaseDust(c));
 }

@@ -1,5 +1,5 @@
-// soft_shadow.c - shaders/soft_shadow.glsl: the visible share of a lamp of finite size, compared
-// with brute force in double precision; the bounds from one march; the mean of many rays.
+// soft_shadow.c - shaders/soft_shadow.glsl: the visible share of a lamp of finite size compared
+// with brute force in double precision, the bounds from one march, and the mean of many rays.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/random.h"
@@ -9,7 +9,7 @@
 
 enum { EDGE, DISC, BALL, EDGE_IN_SPACE, POINT, DIRECTION, RAYS, CLEARANCE };
 
-// A square grid of 800 x 800 points measures a part of a disc to about 4e-5.
+// A square grid of 800 x 800 points gives the area of a part of a disc to within about 4e-5.
 enum { GRID = 800 };
 static const double closed_form = 1e-4;
 
@@ -21,7 +21,7 @@ static const struct d3 to_light = {0.48, 0.6, -0.64};
 
 // ---- Discs in a plane ----
 
-// The part of the unit disc for which a test holds, by counting.
+// The share of the unit disc on which a test is true, by counting points of a grid.
 static double part_of_disc(bool (*holds)(double x, double y, const double *data),
                            const double *data)
 {
@@ -58,7 +58,7 @@ TEST(a_straight_edge_leaves_a_segment)
     }
     assert_true((double)values[1] == 0.0 && (double)values[4 * 1280 + 1] == 1.0);
     assert_true(fabs((double)values[4 * 640 + 1] - 0.5) < 1e-6);
-    for (int i = 1; i < 1281; i++) // it never falls
+    for (int i = 1; i < 1281; i++) // the share never decreases
         assert_true((double)values[4 * i + 1] >= (double)values[4 * i - 3] - 1e-6);
     free(values);
     print_message("# edge: worst %.2g\n", worst);
@@ -86,7 +86,7 @@ TEST(two_discs_overlap_in_a_lens)
 
 // ---- Edges and balls in space ----
 
-// The largest error over balls from a pea to a hill.
+// The largest error for balls with angular radii from 0.3 to 72 degrees.
 static double worst_ball(float spread)
 {
     static const float balls[][2] = {{0.01f, 2.0f}, {0.1f, 2.0f}, {0.25f, 2.0f},
@@ -105,13 +105,14 @@ static double worst_ball(float spread)
     return worst;
 }
 
-// The header promises 0.1 spread^2; the grid adds its own error.
+// The header of lampBesideBall states an error of at most 0.1 spread^2, to which the error of the
+// grid is added.
 TEST(a_ball_hides_nearly_a_disc)
 {
     static const float spreads[] = {0.0047f, 0.04f, 0.1f};
     for (size_t k = 0; k < sizeof spreads / sizeof *spreads; k++) {
         double spread = (double)spreads[k], worst = worst_ball(spreads[k]);
-        print_message("# ball, spread %g: worst %.2g, %.2f spread^2\n", spread, worst,
+        print_message("# ball, spread %g: worst error %.2g, %.2f spread^2\n", spread, worst,
                       worst / (spread * spread));
         assert_true(worst < 0.1 * spread * spread + 5e-5);
         assert_true(spread > 0.04 || worst < closed_form);
@@ -146,13 +147,14 @@ TEST(an_edge_in_space_is_a_line_on_the_disc)
         }
         free(values);
     }
-    print_message("# edge in space: worst %.2g\n", worst);
+    print_message("# edge in space: worst error %.2g\n", worst);
     assert_true(worst < closed_form);
 }
 
 // ---- Rays ----
 
-// Cells of equal area remain so: the disc is cut into rings of equal area and into sectors.
+// discPoint maps equal areas to equal areas: it cuts the disc into rings of equal area and into
+// equal sectors.
 TEST(equal_areas_go_to_equal_areas)
 {
     const float none[4] = {0.0f};
@@ -161,30 +163,30 @@ TEST(equal_areas_go_to_equal_areas)
         const float *v = values + 4 * i;
         double u = (double)v[0], turn = 2.0 * MIRROR_PI * (double)v[1];
         double x = (double)v[2], y = (double)v[3];
-        assert_true(fabs(x * x + y * y - u) < 1e-5); // the share of the area within
+        assert_true(fabs(x * x + y * y - u) < 1e-5); // the share of the area within this radius
         assert_true(fabs(x - sqrt(u) * cos(turn)) < 1e-5 && fabs(y - sqrt(u) * sin(turn)) < 1e-5);
     }
     free(values);
 }
 
-// The first six lamps lie on the axes of space, where the frame around the direction needs its
-// special case.
-TEST(a_ray_goes_to_its_place_on_the_lamp)
+// The first six lamps are on the coordinate axes; those on the y axis need the special case of the
+// frame around the direction.
+TEST(a_ray_goes_to_its_point_on_the_lamp)
 {
     const float numbers[4] = {0.2f};
     float *values = gpu_call(SHADER, 256, 1, DIRECTION, numbers);
     for (int i = 0; i < 256; i++) {
         const float *v = values + 4 * i;
         assert_true(fabs((double)v[0] - 1.0) < 1e-6);
-        // The points on the lamp are half its radius from its centre.
+        // Each point on the lamp is half a radius from the lamp's centre.
         assert_true(fabs((double)v[2] / (double)v[1] - 0.1) < 1e-5);
     }
     free(values);
 }
 
-// 16,384 points with their own rays: their mean is the visible share, within three of its own
-// standard errors. The threshold makes the ball larger by 1e-5.
-TEST(the_mean_of_the_rays_is_what_is_seen)
+// The mean over 16,384 points, each with different random rays, is the visible share to within
+// three standard errors. The threshold makes the ball larger by 1e-5.
+TEST(the_mean_of_the_rays_is_the_visible_share)
 {
     enum { SIDE = 128, POINTS = SIDE * SIDE };
     for (int side = 1; side <= 4; side++) {
@@ -200,8 +202,9 @@ TEST(the_mean_of_the_rays_is_what_is_seen)
         double error = sqrt(variance / POINTS);
         double truth = shadow_share(mirror_ball_blocks, &ball, to_light, 0.08, GRID);
         free(values);
-        print_message("# %d rays: %.4f of %.4f, %.2f sigma of %.4f\n", side * side, mean, truth,
-                      (mean - truth) / error, error);
+        print_message(
+            "# %d rays: mean %.4f, visible share %.4f; off by %.2f standard errors of %.4f\n",
+            side * side, mean, truth, (mean - truth) / error, error);
         assert_true(fabs(mean - truth) < 3.0 * error + 1e-4);
     }
 }
@@ -239,7 +242,7 @@ TEST(the_bounds_hold_for_sheet_and_bar_too)
         }
 }
 
-// The table of the page, which build/tests/measure shadows prints.
+// The errors in the page's table, which build/tests/measure shadows prints.
 TEST(one_march_is_too_dark)
 {
     for (int i = 0; i < SHADOW_OBSTACLES; i++) {
@@ -255,7 +258,7 @@ TEST(one_march_is_too_dark)
         assert_true(error[SHADOW_TWICE].mean_size < error[SHADOW_HARD].mean_size - 0.01);
         assert_true(error[SHADOW_SIGNED].mean_size < 0.03);
         if (obstacle == SHADOW_SHEET) {
-            // From integration, 1 / (3 pi) and 1 / 8.
+            // Integration gives mean errors of 1 / (3 pi) and 1 / 8.
             assert_true(fabs(error[SHADOW_HARD].mean_size - 1.0 / (3.0 * MIRROR_PI)) < 0.001);
             assert_true(fabs(error[SHADOW_MOST].mean_size - 0.125) < 0.002);
         }

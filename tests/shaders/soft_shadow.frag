@@ -1,6 +1,6 @@
 #version 330 core
-// For soft_shadow.c: the functions of soft_shadow.glsl.
-// Time selects the function, iMouse contains four numbers for it; x is the pixel's coordinate.
+// For soft_shadow.c: the functions of soft_shadow.glsl. Time selects the function; iMouse contains
+// some of its arguments, and the pixel's coordinates determine the others.
 
 in float Time;
 out vec4 FragColor;
@@ -10,7 +10,7 @@ out vec4 FragColor;
 #include "soft_shadow.glsl"
 #include "primitives.glsl"
 
-// The ball in front of the lamp.
+// The centre and the radius of the ball in front of the lamp.
 vec4 ball;
 
 float sceneDistance(vec3 p)
@@ -19,10 +19,10 @@ float sceneDistance(vec3 p)
 }
 
 const vec3 TO_LIGHT = vec3(0.48, 0.6, -0.64);
-const vec3 P = vec3(0.4, -0.3, 0.2); // the point, from which the ball and the edge are measured
+const vec3 P = vec3(0.4, -0.3, 0.2); // the point that sees the lamp; ball and edge are relative to it
 
-// A ball whose edge passes the lamp's centre at a distance given in the lamp's radii.
-//   iMouse: spread, radius, distance
+// A ball whose outline passes the lamp's centre at a distance of `clear`, in radii of the lamp.
+//   iMouse: spread; radius and distance of the ball
 vec4 ballAt(float clear)
 {
     vec3 aside = normalize(cross(TO_LIGHT, vec3(1.0, 0.0, 0.0)));
@@ -47,7 +47,8 @@ void main()
         ball = ballAt(clear);
         FragColor = vec4(ball.xyz, lampBesideBall(P, TO_LIGHT, iMouse.x, P + ball.xyz, ball.w));
     } else if (function == 3) {
-        // A slanting edge at the distance 3 that passes the lamp's centre at iMouse.y of its radii.
+        // A slanting edge at a distance of 3 that passes the lamp's centre at a distance of
+        // iMouse.y, in radii of the lamp.
         vec3 aside = normalize(cross(TO_LIGHT, vec3(0.0, 1.0, 0.0)));
         vec3 across = cross(TO_LIGHT, aside);
         vec3 onEdge = 3.0 * (TO_LIGHT - iMouse.y * iMouse.x * aside) + 0.7 * across;
@@ -59,7 +60,7 @@ void main()
     } else if (function == 5) {
         float turn = 0.1 * number, height = sin(7.0 * number);
         vec3 toLight = vec3(sqrt(1.0 - height * height) * vec2(cos(turn), sin(turn)), height).xzy;
-        if (number < 6.0) { // along an axis of space, in both directions
+        if (number < 6.0) { // along a coordinate axis, in both directions
             toLight = vec3(0.0);
             toLight[int(number) % 3] = number < 3.0 ? 1.0 : -1.0;
         }
@@ -67,12 +68,12 @@ void main()
         vec3 direction = lampDirection(toLight, iMouse.x, point);
         FragColor = vec4(length(direction), dot(direction, toLight), length(cross(direction, toLight)), 0.0);
     } else if (function == 6) {
-        // Every pixel has its own random numbers: iMouse.w rays per side.
+        // iMouse.w x iMouse.w rays, with different random numbers in every pixel.
         ball = ballAt(0.3);
         Ray ray = Ray(vec3(0.0), TO_LIGHT);
         FragColor = vec4(lampReaching(ray, 9.0, iMouse.x, int(iMouse.w), 1e-5, 256, 0), ball.xyz);
     } else {
-        // Both clearances, from different starts.
+        // Both bounds of clearanceAlong, from different starts.
         float clear = 0.02 + 0.02 * number;
         ball = ballAt(clear);
         Ray ray = Ray(vec3(0.0), TO_LIGHT);

@@ -1,5 +1,6 @@
-// solids.c - the solids of shaders/solids.glsl that have their own formulas, on the GPU, compared
-// with the nearest point of the surface. The surface comes only from its description.
+// solids.c - the cylinder, the hexagonal prism, the capped cones and the capsule of
+// shaders/solids.glsl on the GPU, compared with the nearest point of the surface; swept.c tests
+// extrusions and revolutions. The surface comes only from the description of the solid.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/solid.h"
@@ -62,7 +63,8 @@ static bool in_hexagon(const struct solid *solid, struct d3 p)
     return inside;
 }
 
-// Six sides; in each base three rhombi, from the centre to three consecutive corners.
+// The surface has six sides, and in each base three rhombi from the centre to three consecutive
+// corners.
 TEST(test_hexagonal_prism)
 {
     struct solid solid = {.name = "prism", .function = HEX_PRISM, .number = {0.6f, 0.8f}};
@@ -83,7 +85,7 @@ TEST(test_hexagonal_prism)
     solid_check(&solid);
 }
 
-// The segment is the surface, and its stroke is the rod.
+// The surface is a segment, which is thickened by the capsule's radius.
 TEST(test_capsule)
 {
     struct solid solid = {.name = "capsule", .function = CAPSULE, .number = {0.35f}};
@@ -113,7 +115,7 @@ static void assert_same(struct solid a, struct solid b, double tolerance)
     assert_true(worst <= tolerance);
 }
 
-TEST(test_other_roads)
+TEST(test_equal_solids)
 {
     assert_same(
         (struct solid){.name = "turned circle", .function = TURNED_CIRCLE, .number = {0.8f, 0.3f}},

@@ -1,7 +1,7 @@
 #version 330 core
-// For solids.c: extrusions, revolutions and the solids of shaders/solids.glsl, at random points.
-// Each item takes 2 pixels of a row: a point and its distance, and another point, near or far, and its distance. Time
-// selects the function; iMouse contains its numbers.
+// For solids.c and swept.c: extrusions, revolutions and the solids of shaders/solids.glsl, at random points. Each item
+// takes 2 pixels of a row: a point with its distance, and another point, near or far, with its distance. Time selects
+// the function; iMouse contains its arguments.
 
 in float Time;
 out vec4 FragColor;
@@ -18,21 +18,21 @@ float disc(vec2 q)
     return sdCircle(q - vec2(iMouse.x, 0.0), 1.0);
 }
 
-// A rectangle, rotated by iMouse.z.
+// A rectangle with the half sides iMouse.xy, rotated by iMouse.z.
 float rectangle(vec2 q)
 {
     float c = cos(iMouse.z), s = sin(iMouse.z);
     return sdRectangle(vec2(c * q.x + s * q.y, c * q.y - s * q.x), iMouse.xy);
 }
 
-// An L: two rectangles, with its corner at the origin.
+// An L of two rectangles, whose inner corner is at the origin.
 float elbow(vec2 q)
 {
     float foot = sdRectangle(q - vec2(0.3, -0.15), vec2(0.6, 0.15));
     return min(foot, sdRectangle(q - vec2(-0.15, 0.3), vec2(0.15, 0.6)));
 }
 
-// A bowl: a polyline from the axis outwards and upwards, with a stroke of iMouse.x to both sides.
+// A bowl: a polyline from the axis outwards and upwards, thickened by iMouse.x on both sides.
 float bowl(vec2 q)
 {
     float floorLine = sdSegment(q, vec2(0.0, -0.7), vec2(0.4, -0.7));
@@ -40,7 +40,7 @@ float bowl(vec2 q)
     return min(floorLine, wall) - iMouse.x;
 }
 
-// A square of half side 0.5, extruded, rotated by iMouse.x and shrunk by iMouse.y for each unit of height from 0 to 2.
+// A square of half side 0.5, extruded, rotated by iMouse.x and shrunk by iMouse.y per unit of height from 0 to 2.
 float twisted(vec3 p)
 {
     float y = clamp(p.y, 0.0, 2.0), size = 1.0 - iMouse.y * y;
@@ -68,8 +68,8 @@ float asked(vec3 p)
     }
 }
 
-// Of every eight points, five are in a cube around the solid, one is far away, one near the axis, and one on it. The
-// first point of a disc is at the height iMouse.z of the axis.
+// Of every eight points, five are in a cube around the solid, one is far away, one near the axis, and one on the axis.
+// The first point for a disc is on the axis, at the height iMouse.z.
 vec3 point(int item)
 {
     if (item == 0 && int(Time) == 6)

@@ -1,6 +1,6 @@
-// spectrum.c - shaders/spectrum.glsl and prism.glsl: colours that sum to white, the minimum
-// deviation compared with rays traced through a prism, the plan of a ray that rises, and the
-// rainbow.
+// spectrum.c - shaders/spectrum.glsl and prism.glsl: colours that sum to white, Cauchy's formula,
+// the minimum deviation compared with rays traced through a prism, the plan of a ray that rises,
+// and the rainbow.
 #include "lib/test.h"
 #include "lib/glass.h"
 #include "lib/gpu.h"
@@ -30,7 +30,7 @@ TEST(all_wavelengths_are_white)
     print_message("# mean %.5f %.5f %.5f; worst %.3f\n", mean[0], mean[1], mean[2], worst);
     for (int c = 0; c < 3; c++)
         assert_true(fabs(mean[c] - 1.0) < 1e-4);
-    assert_true(worst < 0.4); // as the header says
+    assert_true(worst < 0.4); // the stated error of the fit
 }
 
 TEST(ten_wavelengths_are_parts_of_white)
@@ -39,7 +39,7 @@ TEST(ten_wavelengths_are_parts_of_white)
     float *values = gpu_call(SHADER, 4, 1, WAVES, all);
     for (int c = 0; c < 3; c++)
         assert_true(fabs((double)values[c] - 1.0) < 0.02);
-    for (int k = 0; k < 4; k++) // the middles of four parts
+    for (int k = 0; k < 4; k++) // the middles of four equal parts
         assert_true(fabs((double)values[4 * k + 3] - (0.4375 + 0.075 * k)) < 1e-6);
     free(values);
     values = gpu_call(SHADER, 1, 1, WAVES, none);
@@ -48,7 +48,7 @@ TEST(ten_wavelengths_are_parts_of_white)
     free(values);
 }
 
-TEST(cauchy_is_read_backwards)
+TEST(cauchy_wave_inverts_cauchy_index)
 {
     const float none[4] = {0.0f};
     float *values = gpu_call(SHADER, 301, 1, ABSORBED, none);
@@ -57,7 +57,8 @@ TEST(cauchy_is_read_backwards)
     free(values);
 }
 
-// Sellmeier's formula, with the maker's numbers for BK7 and SF10 (Schott's catalogue).
+// Sellmeier's formula for six numbers of a glass. Those of BK7 and SF10 are the maker's (Schott's
+// catalogue).
 static double sellmeier(const double number[6], double wavelength)
 {
     double square = wavelength * wavelength, sum = 1.0;
@@ -66,8 +67,8 @@ static double sellmeier(const double number[6], double wavelength)
     return sqrt(sum);
 }
 
-// Cauchy's two numbers for each glass: accurate enough between the lines F and C, 0.4861 and
-// 0.6563, and in all visible light off by what the page says.
+// Cauchy's formula with two numbers for each glass. It is accurate between the lines F and C, at
+// 0.4861 and 0.6563; over all visible light, it is off by as much as the page says.
 TEST(cauchy_is_near_sellmeier)
 {
     static const double crown[6] = {1.03961212,    0.231792344,  1.01046945,
@@ -84,19 +85,24 @@ TEST(cauchy_is_near_sellmeier)
             worst[k][1] = wave > 0.4861 && wave < 0.6563 ? fmax(worst[k][1], off[k]) : worst[k][1];
         }
     }
-    print_message("# off from Sellmeier: BK7 %.5f, F to C %.5f; SF10 %.5f, F to C %.5f\n",
-                  worst[0][0], worst[0][1], worst[1][0], worst[1][1]);
+    print_message(
+        "# Cauchy's formula off by at most: BK7 %.5f, F to C %.5f; SF10 %.5f, F to C %.5f\n",
+        worst[0][0], worst[0][1], worst[1][0], worst[1][1]);
     assert_true(worst[0][0] < 1.2e-4 && worst[0][1] < 5e-5);
     assert_true(worst[1][0] < 5.1e-3 && worst[1][0] > 5.0e-3 && worst[1][1] < 4e-4);
-    // At the yellow line, 0.5876, SF10 has 1.7283; the number A of 1.7280 would give 1.767.
+    // At the yellow line, 0.5876, the index of SF10 is 1.7283; with 1.7280 as the number A, it
+    // would be 1.767.
     assert_true(fabs(sellmeier(flint, 0.5876) - 1.7283) < 1e-4);
     assert_true(fabs(glass_index(1.7280, 0.01342, 0.5876) - 1.767) < 5e-4);
 }
 
 // ---- The prism ----
 
-// Trace a ray through two planes in space: its deflection; negative if no ray leaves.
-//   entering  angle to the first normal, away from the edge; rise out of the plane across the edge
+// Trace a ray through two planes in space. Returns its deflection in radians; negative if no ray
+// leaves.
+//   entering  angle to the first normal, on the side away from the edge
+//   rise      angle out of the plane perpendicular to the edge
+//   left      receives the direction in which the ray leaves
 static double traced(double apex, double index, double entering, double rise, struct d3 *left)
 {
     struct d3 first = d3(-cos(0.5 * apex), sin(0.5 * apex), 0.0);
@@ -110,7 +116,7 @@ static double traced(double apex, double index, double entering, double rise, st
     return d3_angle(d, *left) * degree;
 }
 
-TEST(a_ray_through_a_prism_leaves_as_is_said)
+TEST(a_ray_through_a_prism_leaves_where_stated)
 {
     const double apex = 60.0 * degree;
     const float numbers[4] = {(float)apex};
@@ -126,7 +132,8 @@ TEST(a_ray_through_a_prism_leaves_as_is_said)
         assert_true(leaves == (sine < 1.0));
         total += !leaves;
         through += leaves;
-        assert_true(fabs((double)values[4 * i + 1] - index) < 1e-4); // and backwards
+        // prismIndex inverts prismLeaving.
+        assert_true(fabs((double)values[4 * i + 1] - index) < 1e-4);
         struct d3 falling = d3(sin(0.5 * apex), -cos(0.5 * apex), 0.0);
         assert_true(!leaves || fabs(d3_dot(left, falling) - sine) < 1e-5);
     }
@@ -134,7 +141,7 @@ TEST(a_ray_through_a_prism_leaves_as_is_said)
     assert_true(total > 500 && through > 1500);
 }
 
-// The minimum over many traced rays, for three prisms and the chapter's glass.
+// The minimum over many traced rays, for four prisms, one of them of the chapter's glass.
 TEST(the_least_deviation_is_symmetric)
 {
     static const double cases[][2] = {{60.0, 1.5}, {30.0, 1.5}, {60.0, 1.7283}, {45.0, 1.333}};
@@ -147,8 +154,9 @@ TEST(the_least_deviation_is_symmetric)
             least = turn >= 0.0 && turn < least ? turn : least;
         }
         double formula = 2.0 * asin(index * sin(0.5 * apex)) - apex;
-        print_message("# apex %g, index %g: %.4f at %.2f, by the formula %.4f\n", cases[k][0],
-                      index, least / degree, at, formula / degree);
+        print_message(
+            "# apex %g, index %g: least deviation %.4f at %.2f degrees, by the formula %.4f\n",
+            cases[k][0], index, least / degree, at, formula / degree);
         assert_true(fabs(least - formula) < 1e-8);
         assert_true(fabs(at - asin(index * sin(0.5 * apex)) / degree) < 0.05);
     }
@@ -162,8 +170,8 @@ TEST(the_least_deviation_is_symmetric)
     free(values);
 }
 
-// A ray that rises: its plan obeys Snell's law with the modified index, and it leaves with the same
-// rise.
+// The plan of a ray that rises obeys Snell's law with a modified index, and the ray leaves with the
+// same rise.
 TEST(the_plan_of_a_rising_ray_has_its_own_index)
 {
     const double apex = 60.0 * degree, rise = 0.3;
@@ -183,8 +191,8 @@ TEST(the_plan_of_a_rising_ray_has_its_own_index)
     free(values);
 }
 
-// At the point where a ray of one wavelength lands, traced in space, the beam contains this
-// wavelength.
+// At a point behind the prism through which a traced ray of one wavelength passes, the beam
+// contains this wavelength.
 TEST(the_beam_has_the_colours_of_traced_rays)
 {
     const double apex = 60.0 * degree, rise = 0.14, radius = 0.32, narrow = 0.001;
@@ -213,13 +221,13 @@ TEST(the_beam_has_the_colours_of_traced_rays)
             assert_true(a < wave && wave < b);
             worst = fmax(worst, fabs(0.5 * (a + b) - wave));
         }
-    print_message("# colours: worst %.4f micrometres\n", worst);
+    print_message("# colours: wavelength off by at most %.4f micrometres\n", worst);
     assert_true(worst < 0.0005);
 }
 
 // ---- The rainbow ----
 
-// A ray is reflected once in a drop; where its deflection is smallest, light is concentrated.
+// A ray is reflected once in a drop. Where its deflection is smallest, light is concentrated.
 TEST(the_rainbow_is_at_42_degrees)
 {
     double red = glass_index(1.3240, 0.00310, 0.65), violet = glass_index(1.3240, 0.00310, 0.41);

@@ -1,6 +1,6 @@
-// stored.c - shaders/stored.glsl with the clay elephant's own grid, compared with the file and the
-// mesh in double precision: the interpolation, its error and its Lipschitz constant, and that a
-// step never crosses the surface.
+// stored.c - shaders/stored.glsl with the grid of the clay elephant, compared with the file and the
+// mesh in double precision: the interpolation, its error and its Lipschitz constant, and steps that
+// never cross the surface.
 #include "lib/test.h"
 
 #include "picture/image.h"
@@ -12,7 +12,7 @@
 enum { SIDE = ELEPHANT_SIDE, COUNT = CHAPTER_WIDTH * CHAPTER_HEIGHT, SOME = 7 };
 
 static const double cell = 2.0 / (SIDE - 1), root3 = 1.7320508075688772;
-static double value_at[SIDE][SIDE][SIDE]; // the file's values, by z, y, x
+static double value_at[SIDE][SIDE][SIDE]; // the file's values, indexed by z, y, x
 
 static int read_grid(void **state)
 {
@@ -44,7 +44,7 @@ static void point_of(int n, double p[3])
         p[a] = 2.4 * i[a] / last[a] - 1.2;
 }
 
-// Interpolation in the cube, and its gradient.
+// The interpolation at a point of the cube, and its gradient.
 static double inside_value(const double q[3], double gradient[3])
 {
     double sum = 0.0, share[3];
@@ -105,12 +105,13 @@ TEST(the_shader_interpolates_the_file)
         double truth = stored(p, &slope), value = ((double)number[4 * n] - 0.5) / 0.2;
         worst = fmax(worst, fabs(value - truth));
         assert_true(fabs(fabs((double)number[4 * n + 1] - 0.5) / 0.2 - step_of(truth)) < 2e-6);
-        // On the boundary of two cells, rounding decides which one is used.
+        // On the boundary between two cells, rounding decides which cell is used.
         wrong += fabs(2.0 * (double)number[4 * n + 2] - slope) > 1e-3;
         steepest = fmax(steepest, slope);
     }
-    print_message("# largest error %.2g; steepest %.4f; gradients of a neighbour: %.0f of %d\n",
-                  worst, steepest, wrong, COUNT);
+    print_message(
+        "# largest error %.2g; steepest slope %.4f; gradients of a neighbouring cell: %.0f of %d\n",
+        worst, steepest, wrong, COUNT);
     assert_true(worst < 2e-6);
     assert_true(wrong < 0.001 * COUNT);
     assert_true(steepest > 1.0 && steepest < root3);
@@ -119,8 +120,8 @@ TEST(the_shader_interpolates_the_file)
 
 // ---- The claims ----
 
-// In the cube, |F - d| <= sqrt(3) / 2 cell. Outside, sqrt(a^2 + F^2) exceeds the distance by no
-// more than that.
+// In the cube, the interpolation F differs from the distance d by at most sqrt(3) / 2 cell.
+// Outside, sqrt(a^2 + F^2) exceeds the distance by at most the same amount.
 TEST(the_error_is_within_its_bound)
 {
     struct triangles t = elephant_mesh(3);
@@ -145,7 +146,7 @@ TEST(the_error_is_within_its_bound)
     triangles_free(&t);
 }
 
-// No point nearer than the step has the other sign.
+// A step in a random direction never ends at a point where the value has the other sign.
 TEST(a_step_crosses_no_surface)
 {
     int crossed = 0, beyond = 0;
@@ -169,9 +170,9 @@ TEST(a_step_crosses_no_surface)
     assert_true(beyond > 0);
 }
 
-// Experiment 5: if the values at all corners of a brick of 3 x 3 x 3 cells exceed 4 cells, no value
-// in the brick has another sign, and interpolating between its corners differs from the finer
-// interpolation by at most 2 sqrt(3) cells.
+// Experiment 5: if all corners of a brick of 3 x 3 x 3 cells have values of at least 4 cells,
+// inside or outside, then no value in the brick has the opposite sign, and the interpolation
+// between the corners differs from the finer one by less than 2 sqrt(3) cells.
 TEST(a_shell_of_bricks_keeps_the_surface)
 {
     enum { BRICK = 3, BRICKS = (SIDE - 1) / BRICK };
@@ -204,13 +205,14 @@ TEST(a_shell_of_bricks_keeps_the_surface)
         }
     }
     int all = BRICKS * BRICKS * BRICKS, corners = (BRICKS + 1) * (BRICKS + 1) * (BRICKS + 1);
-    print_message("# a shell of bricks: %d of %d keep their 64 points; %d values of %d; largest "
-                  "difference %.2f of a cell\n",
+    print_message("# a shell of bricks: %d of %d keep their 64 points; %d values instead of %d; "
+                  "largest difference %.2f of a cell\n",
                   kept, all, 64 * kept + corners, SIDE * SIDE * SIDE, worst / cell);
     assert_true(worst < 2.0 * root3 * cell);
 }
 
-// The distance to a point of the grid: next to that point the gradient has length sqrt(3).
+// If the grid stores the distance to one of its points, the gradient next to this point has the
+// length sqrt(3).
 TEST(the_lipschitz_constant_is_attained)
 {
     double p[3] = {-1.0 + 1e-9, -1.0 + 1e-9, -1.0 + 1e-9}, slope, keep[8];

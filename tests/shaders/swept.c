@@ -1,5 +1,6 @@
-// swept.c - solids that shaders/solids.glsl makes by extruding or rotating a plane figure, on the
-// GPU, compared with the nearest point of the surface. The surface comes only from its description.
+// swept.c - solids that shaders/solids.glsl makes by extruding or revolving a plane figure, on the
+// GPU, compared with the nearest point of the surface. The surface comes only from the description
+// of the solid.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/solid.h"
@@ -12,7 +13,7 @@ static bool in_ring(const struct solid *solid, struct d3 p)
            fabs(p.y) < (double)solid->number[2];
 }
 
-// A figure with a hole that is exact outside and inside, and so is the solid.
+// The figure has a hole and is exact outside and inside, and so is the solid.
 TEST(test_extruded_ring)
 {
     struct solid solid = {.name = "ring", .function = EXTRUDED_RING, .number = {0.8f, 0.3f, 0.5f}};
@@ -59,8 +60,8 @@ TEST(test_extruded_elbow)
     assert_true(tally.least[0] < 0.8 && tally.least[1] > 0.999);
 }
 
-// If the figure of an extrusion rotates and shrinks on its way up, the slope exceeds 1, by at most
-// the factor that the page proves; its farthest point here is a corner.
+// If the figure of an extrusion rotates or shrinks with height, the slope may exceed 1, but not the
+// bound that the page proves. The figure's farthest point from the axis is a corner.
 TEST(test_twisted_extrusions)
 {
     const float numbers[][2] = {{0.0f, 0.0f}, {0.0f, 0.3f}, {1.5f, 0.0f}, {3.0f, 0.3f}};
@@ -77,8 +78,8 @@ TEST(test_twisted_extrusions)
                 most = fmax(most, fabs((double)slot[3] - (double)slot[7]) / apart);
         }
         free(values);
-        print_message("# twist %.1f, taper %.1f: steepest %.4f, bound %.4f\n", twist, taper, most,
-                      bound);
+        print_message("# twist %.1f, taper %.1f: steepest slope %.4f, bound %.4f\n", twist, taper,
+                      most, bound);
         assert_true(most <= bound * 1.002 && most > 0.6 * bound);
     }
 }
@@ -101,10 +102,11 @@ static struct tally check_disc(float centre, bool exact_outside, bool exact_insi
     return solid_check(&solid);
 }
 
-// A disc of radius 1 with its centre at c. If it keeps clear of the axis, the solid is exact. If it
-// crosses the axis and its larger part is drawn, the solid is exact outside, but inside, the part
-// at x < 0 makes the rim seem too near. If its smaller part is drawn, it is the other way round. If
-// it is symmetric, the solid is a ball.
+// A disc of radius 1 with its centre at x = c. If the disc does not cross the axis, the solid is
+// exact. If the disc crosses the axis and its larger part is at x > 0, the solid is exact outside;
+// inside, the rim of the part at x < 0 also counts, and the depth is too small. If its smaller part
+// is at x > 0, the solid is exact inside and too near outside. If the disc is symmetric, the solid
+// is a ball.
 TEST(test_turned_discs)
 {
     struct tally apple, lemon;
@@ -125,7 +127,7 @@ static bool in_turned_rectangle(const struct solid *solid, struct d3 p)
            fabs(c * p.y - s * x) < (double)solid->number[1];
 }
 
-// A slanting rectangle that keeps clear of the axis is exact everywhere.
+// A slanting rectangle that does not touch the axis makes a solid that is exact everywhere.
 TEST(test_turned_rectangle)
 {
     struct solid solid = {.name = "turned rectangle",
@@ -146,8 +148,8 @@ TEST(test_turned_rectangle)
     solid_check(&solid);
 }
 
-// A stroke that ends on the axis reaches across it, by its width. The part beyond has its mirror
-// image in the stroke, so the solid is exact outside.
+// A stroke that ends on the axis reaches across the axis by its width. The part beyond the axis has
+// its mirror image in the stroke, so the solid is exact outside.
 TEST(test_turned_bowl)
 {
     struct solid solid = {.name = "bowl", .function = TURNED_BOWL, .number = {0.08f}};
@@ -165,8 +167,8 @@ static bool in_filled(const struct solid *solid, struct d3 p)
     return hypot(p.x, p.z) < 2.0 * (double)solid->number[0] && fabs(p.y) < (double)solid->number[1];
 }
 
-// A rectangle with a side on the axis makes a cylinder. But inside it, that side counts too,
-// although no ray can see it: on the axis the depth is 0.
+// A rectangle with a side on the axis makes a cylinder. Inside the cylinder, that side also counts,
+// although no ray can see it: on the axis, the depth is 0.
 TEST(test_a_side_on_the_axis)
 {
     struct solid solid = {.name = "half a rectangle",
@@ -181,15 +183,15 @@ TEST(test_a_side_on_the_axis)
     assert_true(tally.least[0] < 1e-6);
 }
 
-// The numbers of the page: discs of radius 1, and a point of the axis.
-TEST(test_what_is_not_drawn_counts)
+// The page's values at points of the axis, for discs of radius 1.
+TEST(test_parts_that_are_not_drawn_count)
 {
     const struct {
         float centre, y;
-        double asked; // to six decimals
+        double asked; // the page's value, to six decimals
     } rows[] = {
         {-0.8f, 1.0f, 0.280625}, // the tip of the lemon is 0.4 away
-        {0.8f, 0.0f, -0.2},      // the rim of the apple is 0.6 away
+        {0.8f, 0.0f, -0.2},      // the dimple of the apple is 0.6 away
         {-1.5f, 0.0f, 0.5},      // nothing is drawn
     };
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
@@ -197,7 +199,7 @@ TEST(test_what_is_not_drawn_counts)
             &(struct solid){.function = TURNED_DISC, .number = {rows[k].centre, 0.0f, rows[k].y}});
         double asked = (double)values[3];
         free(values);
-        print_message("# centre %.1f, asked at height %.1f: %.6f\n", (double)rows[k].centre,
+        print_message("# centre %.1f, at height %.1f: %.6f\n", (double)rows[k].centre,
                       (double)rows[k].y, asked);
         assert_true(fabs(asked - rows[k].asked) < 1e-6);
     }

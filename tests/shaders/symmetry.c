@@ -27,7 +27,8 @@ static double segment_distance(struct d3 p, struct d3 a, struct d3 b)
     return d3_length(d3_sub(p, d3_add(a, d3_times(t, along))));
 }
 
-// From p to a triangle: to its plane if p projects into it, else to the nearest edge.
+// The distance from p to a triangle: to its plane if p projects onto the triangle, otherwise to the
+// nearest edge.
 static double triangle_distance(struct d3 p, const struct d3 v[3])
 {
     struct d3 normal = d3_unit(d3_cross(d3_sub(v[1], v[0]), d3_sub(v[2], v[0])));
@@ -41,8 +42,8 @@ static double triangle_distance(struct d3 p, const struct d3 v[3])
     return over ? fabs(d3_dot(d3_sub(p, v[0]), normal)) : edge;
 }
 
-// A tetrahedron with corners centre + size corners[i]: the distance to the nearest of its four
-// triangles, negative where p is on the inner side of all.
+// The signed distance to the tetrahedron with the corners centre + size corners[i]: the distance to
+// the nearest of its four triangles, negative if p is on the inner side of all four.
 static double brute_tetrahedron(struct d3 p, struct d3 centre, double size)
 {
     double nearest = HUGE_VAL;
@@ -59,8 +60,9 @@ static double brute_tetrahedron(struct d3 p, struct d3 centre, double size)
     return inside ? -nearest : nearest;
 }
 
-// The union of 4^levels tetrahedra, each of which is evaluated. They touch only in points, so the
-// smallest of their signed distances is that of the union, inside as well.
+// The signed distance to the union of 4^levels tetrahedra, each of which is evaluated. The
+// tetrahedra touch only at points, so the smallest of their signed distances is that of the union,
+// even inside.
 static double brute_union(struct d3 p, struct d3 centre, double size, int levels)
 {
     if (levels == 0)
@@ -78,8 +80,9 @@ static double brute(int function, struct d3 p, int levels)
     return brute_union(p, d3(0.0, 0.0, 0.0), SIZE, function < SIERPINSKI_PLANES ? 0 : levels);
 }
 
-// A fold takes three roundings of numbers no larger than |p| + 4 size, and folds pass on earlier
-// errors without enlarging them; the tetrahedron at the end takes half a dozen.
+// An upper bound on the rounding error of a distance. A fold adds three roundings of numbers no
+// larger than |p| + 4 size and does not enlarge earlier errors; the tetrahedron at the end adds
+// about six.
 static double rounding(struct d3 p, int levels)
 {
     return (6.0 + 3.0 * levels) * MIRROR_FLOAT_ROUNDING * (d3_length(p) + 4.0 * SIZE);
@@ -89,8 +92,8 @@ static double rounding(struct d3 p, int levels)
 
 struct tally {
     int inside, outside;
-    double least, most; // f / d outside
-    double worst;       // |f - truth| where f is exact, in units of the rounding
+    double least, most; // smallest and largest f / d outside
+    double worst;       // largest |f - d| where f is exact, in units of the rounding bound
 };
 
 static bool is_exact(int function)
@@ -105,7 +108,7 @@ static void check_point(int function, int levels, const float *slot, struct tall
     if (is_exact(function) || d <= 0.0)
         tally->worst = fmax(tally->worst, fabs(f - d) / slack);
     assert_true(d > 0.0 ? f >= d / 3.0 - slack && f <= d + slack : f <= slack);
-    if (d > 1000.0 * slack) { // a smaller share would be rounding
+    if (d > 1000.0 * slack) { // at smaller distances, rounding would affect f / d
         tally->least = fmin(tally->least, f / d);
         tally->most = fmax(tally->most, f / d);
     }
@@ -122,7 +125,7 @@ static struct tally check_function(int function, int levels)
     free(values);
     print_message(
         "# function %d, n = %d: %d outside, %d inside, f/d from %.6f to %.6f, worst error "
-        "%.2f of the rounding\n",
+        "%.2f times the rounding bound\n",
         function, levels, tally.outside, tally.inside, tally.least, tally.most, tally.worst);
     assert_true(tally.inside > 20 && tally.outside > 1000 && tally.worst <= 1.0);
     if (is_exact(function))
@@ -146,8 +149,8 @@ TEST(test_pyramids_against_the_union)
     }
 }
 
-// f and d have the same zeros: f is 0 on the faces of every tetrahedron of the union, and where f
-// is 0, the bound d / 3 <= f, which check_point asserts, leaves no d but 0.
+// f and d have the same zeros. f is 0 on the faces of every tetrahedron of the union; and where f
+// is 0, d is also 0, because of the bound d / 3 <= f, which check_point asserts.
 TEST(test_pyramids_vanish_on_the_surface)
 {
     for (int function = PLANES; function <= SIERPINSKI; function++)
@@ -160,14 +163,14 @@ TEST(test_pyramids_vanish_on_the_surface)
             }
             free(values);
             print_message(
-                "# function %d, n = %d: |f| on the surface at most %.2f of the rounding\n",
+                "# function %d, n = %d: |f| on the surface at most %.2f times the rounding bound\n",
                 function, levels, worst);
             assert_true(worst <= 1.0);
         }
 }
 
-// A tetrahedron fills a third of its cube, and each level leaves half of the volume. The share of
-// random points that lie inside is off by a standard deviation or two, and by at most four.
+// A tetrahedron fills a third of its cube, and each level leaves half of the volume. The number of
+// random points inside may differ from the expected number by up to four standard deviations.
 TEST(test_each_level_halves_the_volume)
 {
     for (int levels = 0; levels <= 6; levels++) {
@@ -230,7 +233,8 @@ TEST(test_fold_keeps_one_side)
         bool behind = side < 0.0;
         assert_true(apart(got, behind ? reflected(p, normal, (double)offset) : p) <= slack);
         assert_true(d3_dot(got, normal) + (double)offset >= -slack);
-        // With both signs changed, the plane is the same, but the mirror image is kept.
+        // With the signs of normal and offset changed, the plane is the same, but the other side is
+        // kept.
         struct d3 mirrored = d3_of(other + (size_t)4 * SLOTS * (size_t)i + 8);
         assert_true(apart(mirrored, reflected(got, normal, (double)offset)) <= 2.0 * slack);
         moved += behind;
@@ -240,8 +244,8 @@ TEST(test_fold_keeps_one_side)
     assert_true(moved > ITEMS / 10 && moved < ITEMS - ITEMS / 10);
 }
 
-// Three general reflections, each in the plane between the corner and another one. After one round,
-// the corner is the nearest of the four.
+// foldToCorner is compared with three general folds, each along the plane halfway between the
+// corner and another corner. After the three folds, the corner is the nearest of the four.
 TEST(test_three_folds_lead_to_the_corner)
 {
     float *values = call(TO_CORNER, 0.0f, 0.0f, 0.0f, 0.0f);
@@ -287,8 +291,8 @@ TEST(test_folds_are_1_lipschitz)
     }
 }
 
-// Behind the plane, the fold with a normal of length k multiplies lengths perpendicular to it by |1
-// - 2 k^2|.
+// Behind the plane, the fold with a normal of length k multiplies lengths perpendicular to the
+// plane by |1 - 2 k^2|.
 TEST(test_another_length_stretches)
 {
     const float lengths[] = {0.70710678f, 1.0f, 1.3f, 1.41421356f};

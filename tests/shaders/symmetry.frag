@@ -1,7 +1,7 @@
 #version 330 core
-// For symmetry.c: folds, tetrahedra, pyramids and cones at random points and along random rays.
+// For symmetry.c and cone.c: folds, tetrahedra, pyramids and cones at random points and along random rays.
 //
-// Each item takes 4 pixels of a row. Time selects the function; iMouse contains its numbers.
+// Each item takes 4 pixels of a row. Time selects the function; iMouse contains its arguments.
 
 in float Time;
 out vec4 FragColor;
@@ -13,7 +13,7 @@ out vec4 FragColor;
 
 const float SIZE = 0.75;
 
-// iMouse.x of a ray: 0 a ball, 1 a plane, 2 a pyramid of two levels
+// The scene of the rays, selected by iMouse.x: 0 is a ball, 1 a plane, 2 a pyramid of two levels.
 float sceneDistance(vec3 p)
 {
     int which = int(iMouse.x);
@@ -22,7 +22,7 @@ float sceneDistance(vec3 p)
     return which == 1 ? sdPlane(p, vec3(0.0, 1.0, 0.0), 0.0) : sdSierpinskiPlanes(p, SIZE, 2);
 }
 
-// Not used here, but the library declares them.
+// Not used here, but the library declares this function.
 Ray pixelRay(vec2 screen)
 {
     return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0));
@@ -49,7 +49,7 @@ vec3 corner(int number)
     return number == 0 ? vec3(1.0) : 2.0 * vec3(number == 1, number == 2, number == 3) - 1.0;
 }
 
-// A point of the surface of a pyramid: of one face of one of its tetrahedra.
+// A random point on the surface of a pyramid, on one face of one of its tetrahedra.
 vec3 surfacePoint(int levels)
 {
     vec3 centre = vec3(0.0);
@@ -65,9 +65,9 @@ vec3 surfacePoint(int levels)
                             share.z * corner((first + 3) % 4));
 }
 
-// With iMouse.w = 2 points of the surface, with 3 uniformly distributed points of the cube around the solid. Otherwise,
-// of every eight points, four are in a cube around the solid, one is far away, one near a corner, one straight in front
-// of a corner, and one in a plane of symmetry.
+// If iMouse.w is 2, the points are on the surface; if it is 3, they are uniformly distributed in the cube around the
+// solid. Otherwise, of every eight points, four are in a cube around the solid, one is far away, one near a corner, one
+// straight in front of a corner, and one in a plane of symmetry.
 vec3 point(int item)
 {
     if (iMouse.w == 2.0 && Time < 10.0)
@@ -87,7 +87,7 @@ vec3 point(int item)
     return p;
 }
 
-// From a point of a cube to a point near the centre.
+// A ray from a random point in a cube to a random point near the centre.
 Ray randomRay()
 {
     vec3 origin = 4.0 * nextVector();
@@ -111,7 +111,7 @@ void main()
         result[2] = vec4(folded(p), 0.0);
         result[3] = vec4(folded(q), 0.0);
     } else {
-        // iMouse: scene, threshold, spread, maximum number of steps; or the size of a tetrahedron
+        // iMouse: scene, threshold, spread, maximum number of steps
         Ray ray = randomRay();
         result[0] = vec4(ray.origin, pixelSpread());
         result[1] = vec4(ray.direction, march(ray, 0.0, 12.0, iMouse.y, int(iMouse.w)).t);

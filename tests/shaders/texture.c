@@ -1,4 +1,5 @@
-// texture.c - pictures that shaders read: what the driver makes of them.
+// texture.c - pictures that shaders read as textures: decoding, orientation, edges and levels on
+// this driver, and pictures and samplers that are refused.
 #include "lib/test.h"
 #include "picture/texture.h"
 #include "lib/gpu.h"
@@ -6,7 +7,7 @@
 #include "lib/png.h"
 #include "lib/scratch.h"
 
-// Draw a picture of this size, each pixel of which shows an expression.
+// Draw a picture of this size in which each pixel has the value of an expression.
 static float *draw_expression(const char *samplers, const char *expression, int width, int height)
 {
     char text[4096];
@@ -19,14 +20,14 @@ static float *draw_expression(const char *samplers, const char *expression, int 
              "    return %s;\n}\n",
              samplers, expression);
     if (!gpu_load_text(text))
-        fail_msg("does not load: %s", text);
+        fail_msg("this shader does not load: %s", text);
     struct renderer_inputs inputs = {.width = width, .height = height, .samples = 1};
     float *values = gpu_numbers(&inputs);
     assert_int_equal(gpu.context.gl.GetError(), GL_NO_ERROR);
     return values;
 }
 
-// A grey ramp of all byte values, from 0 on the left to 255.
+// Write ramp.png, a grey ramp of all byte values, from 0 on the left to 255 on the right.
 static void write_ramp(void)
 {
     const struct png_kind kind = {.type = PNG_COLOR_TYPE_GRAY, .depth = 8};
@@ -53,7 +54,7 @@ TEST(colours_are_decoded_and_numbers_are_not)
         assert_true(values[4 * i + 2] == values[4 * i + 1]);
     }
     free(values);
-    // Mesa's polynomial is off by 0.0012; a power of 2.2 would be off by 0.008.
+    // Mesa's polynomial for the decoding is off by 0.0012; a power of 2.2 would be off by 0.008.
     if (worst > 0.002)
         fail_msg("decoded sRGB is off by %g", worst);
 }
@@ -115,8 +116,8 @@ TEST(edges_repeat_or_go_on)
     }
 }
 
-// At the centre of a level's texel, the texel's own value is read, whether the level is requested
-// by number or by the footprint.
+// At the centre of a level's texel, the value of the texel is read, whether the level is selected
+// by its index or by the footprint.
 TEST(the_level_is_the_one_asked_for)
 {
     struct texture_image image;
@@ -147,8 +148,8 @@ TEST(the_level_is_the_one_asked_for)
     texture_image_free(&image);
 }
 
-// As many samplers as the driver has units, although the harness uses the first unit, and one for
-// letters.
+// The shader declares as many samplers as the driver has units, but the harness needs the first
+// unit and one for letters.
 TEST(too_many_are_refused)
 {
     char text[65536] = "#include \"main.glsl\"\n";
@@ -168,8 +169,8 @@ TEST(too_many_are_refused)
     assert_int_equal(line_count(said), 1);
 }
 
-// A picture that cannot be read leaves the previous shader in place, with its textures.
-TEST(a_broken_one_keeps_the_last_good)
+// If a picture cannot be read, the previous shader remains in use, with its textures.
+TEST(a_broken_picture_keeps_the_last_good_shader)
 {
     write_ramp();
     static const char samplers[] = "uniform sampler2D a; // \"ramp.png\" linear repeat: numbers\n";
@@ -187,9 +188,10 @@ TEST(a_broken_one_keeps_the_last_good)
     free(after);
 }
 
-// A sampler in a structure, which the warning says is 0, never reads the target that is being
-// drawn: the third picture goes to the target that the second one left bound.
-TEST(what_nothing_sets_reads_black)
+// The harness does not set a sampler in a structure, as a warning says. Such a sampler never reads
+// the target that is being drawn: the third picture is drawn into the target that the second one
+// left bound.
+TEST(a_sampler_that_is_not_set_reads_black)
 {
     struct renderer_inputs inputs = {.width = 4, .height = 2, .samples = 1};
     float values[4 * 4 * 2];

@@ -1,6 +1,6 @@
 #version 330 core
-// For texturing.c: the functions of texture.glsl that look nothing up, at random points.
-// Each item takes 8 pixels of a row. iMouse.x is the sharpness.
+// For texturing.c: the functions of texture.glsl that read no texture, at random points. Each item
+// takes 8 pixels of a row. iMouse.x is the sharpness.
 
 out vec4 FragColor;
 
@@ -22,7 +22,7 @@ void main()
     vec3 normal = nextDirection(), direction = nextDirection(), gradient = nextVector();
     normal = normalize(normal + vec3(1e-4));
     direction = normalize(direction + vec3(1e-4));
-    if (item < 8) { // to the corners of the world, and looked at straight on
+    if (item < 8) { // normals along the diagonals, seen at normal incidence
         normal = normalize(vec3(item & 1, item >> 1 & 1, item >> 2) - 0.5);
         direction = item < 4 ? normal : -normal;
     }

@@ -1,6 +1,6 @@
-// texturing.c - shaders/texture.glsl: weights add up to 1, a footprint is the area that
-// neighbouring rays cover, a bump is the normal of a surface that is really raised, and a picture's
-// heights have the slope of their differences.
+// texturing.c - shaders/texture.glsl: weights add up to 1, a footprint is the ellipse in which a
+// round ray meets a surface, a bumped normal is that of a raised surface, and the gradient of a
+// picture's heights is that of their differences.
 #include "lib/test.h"
 #include "picture/image.h"
 #include "lib/gpu.h"
@@ -11,7 +11,7 @@
 enum { NORMAL, DIRECTION, GRADIENT, WEIGHTS, TWO, ACROSS, ALONG, BUMPED, SLOTS };
 enum { WIDE = 128, ROWS = 64, ITEMS = WIDE * ROWS };
 
-// A vector of one item: the contents of slot.
+// The vector in a slot of an item.
 static struct d3 of(const float *values, int item, int slot)
 {
     return d3_of(values + 4 * (item * SLOTS + slot));
@@ -50,19 +50,21 @@ TEST(test_weights_add_up_to_1)
             largest_third = fmax(largest_third, low);
         }
         free(values);
-        print_message("# sharpness %g: off by %.1g; the third weight is at most %.3f\n", s, worst,
-                      largest_third);
+        print_message(
+            "# sharpness %g: weights off by at most %.1g; the third weight is at most %.3f\n", s,
+            worst, largest_third);
         assert_true(worst < 2e-5 && largest_third > 0.28 && largest_third <= 1.0 / 3.0 + 1e-6);
     }
 }
 
-// Where a ray that is parallel to the axis of the pixel, moved sideways, meets the surface's plane.
+// The point where a ray meets the plane of the surface, if the ray is moved by `aside` from the
+// pixel's central ray.
 static struct d3 meets_plane(struct d3 aside, struct d3 direction, struct d3 normal)
 {
     return d3_sub(aside, d3_times(d3_dot(aside, normal) / d3_dot(direction, normal), direction));
 }
 
-// The rim of a round ray meets the plane in an ellipse with these two axes.
+// The rim of a round ray meets the plane in an ellipse whose axes are those of the footprint.
 TEST(test_a_footprint_is_the_ellipse_of_a_ray)
 {
     float *values = ask(1.0f);
@@ -73,7 +75,8 @@ TEST(test_a_footprint_is_the_ellipse_of_a_ray)
         struct d3 across = of(values, i, ACROSS), along = of(values, i, ALONG);
         double sine = fabs(d3_dot(n, d));
         assert_true(fabs(d3_dot(across, n)) < 1e-8 && fabs(d3_dot(along, n)) < 2e-7);
-        // Seen perpendicularly, it is round; at a grazing angle, it stops at 16 times the width.
+        // Seen perpendicularly, the footprint is round; at a grazing angle, its length is limited
+        // to 16 times the width.
         assert_true(fabs(d3_length(across) - 0.01) < 1e-8);
         assert_true(sine < 0.999999 || fabs(d3_length(along) - 0.01) < 2e-8);
         if (sine < 0.0624) {
@@ -95,8 +98,8 @@ TEST(test_a_footprint_is_the_ellipse_of_a_ray)
     assert_true(seen > ITEMS / 2 && flat > 100 && worst < 1e-6);
 }
 
-// A plane with the normal n, raised along n by the height gradient . p: its normal from two
-// tangents.
+// The expected normal is that of a plane with the normal n that is raised along n by the height
+// gradient . p; the test computes it from two tangents.
 TEST(test_a_bump_is_a_raised_surface)
 {
     float *values = ask(1.0f);
@@ -119,15 +122,15 @@ TEST(test_a_bump_is_a_raised_surface)
 
 enum { POINTS = 64, SIDE = 512 };
 
-// A picture's height at a texel, 0,0 bottom left, with wrap-around.
+// The height in a picture at a texel, with wrap-around; 0,0 is at the bottom left.
 static double height_of(const struct image_bytes *image, int x, int y)
 {
     x %= SIDE, y %= SIDE;
     return image->value[3 * (SIDE * (SIDE - 1 - y) + x)] / 255.0;
 }
 
-// The height at a texel's centre is that texel; its gradient in space is the difference to the next
-// ones, along the two axes of space that span the picture.
+// At the centre of a texel, the height is the texel's value. The gradient in space comes from the
+// differences from the texels `reach` away, along the two axes that span the picture.
 static void check_heights(const struct image_bytes *image, int axis, int reach)
 {
     const float numbers[4] = {(float)reach};

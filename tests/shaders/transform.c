@@ -1,5 +1,5 @@
-// transform.c - shaders/transform.glsl: rigid maps and scaling stay exact, and linear maps are
-// safe by their largest stretch.
+// transform.c - shaders/transform.glsl: under rigid maps and scaling, distances stay exact; under
+// linear maps, they are safe when divided by the largest stretch.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/matrix.h"
@@ -21,7 +21,7 @@ enum { WIDE = 256, ROWS = 64, ITEMS = WIDE * ROWS, SLOTS = 4 };
 
 static const struct d3 half = {0.75, 0.5, 1.25}, shift = {0.5, -0.25, 1.0};
 
-// The numbers of ITEMS items, each of 4 slots of 4 floats; the caller frees them.
+// The shader's results for ITEMS items: 4 slots of 4 floats each. The caller frees them.
 static float *ask(int function, float a, float b, float c)
 {
     return gpu_call(SHADER, WIDE * SLOTS, ROWS, function, (const float[4]){a, b, c});
@@ -29,7 +29,8 @@ static float *ask(int function, float a, float b, float c)
 
 // ---- Isometries ----
 
-// The distance to a box given by its centre, its axes and half sizes, from its closest point.
+// The distance from p to the closest point of a box with the centre `shift`, the half sizes `half`
+// and the given axes; negative inside.
 static double brute_turned_box(struct d3 p, const struct m3 *axes)
 {
     struct d3 from = d3_sub(p, shift), closest = shift;
@@ -82,9 +83,10 @@ TEST(test_rotations_are_orthonormal)
         }
         worst = fmax(worst, fabs(m3_determinant(&got) - 1.0));
     }
-    print_message("# 40 rotations: off by at most %.2g; R^T R = 1 and det R = 1 as well\n", worst);
+    print_message("# 40 rotations: matrix, R^T R and det R off by at most %.2g\n", worst);
     assert_true(worst < 2e-5);
-    float *x = ask(TURN, (float)(MIRROR_PI / 2.0), 0.0f, 0.0f); // about x, which turns y to z
+    // The rotation about x, which turns y to z.
+    float *x = ask(TURN, (float)(MIRROR_PI / 2.0), 0.0f, 0.0f);
     assert_true(d3_length(d3_sub(d3_of(x + 4), d3(0.0, 0.0, 1.0))) < 1e-6);
     free(x);
 }
@@ -99,7 +101,8 @@ static struct m3 turned(double a, double b, double c)
     return matrix;
 }
 
-// The angle of the remaining rotation if the report's 'inverse' follows the rotation.
+// The angle, in degrees, of the rotation that remains if the report's 'inverse', with negated
+// angles, follows a rotation.
 static double residual(double a, double b, double c)
 {
     double trace = 0.0;
@@ -111,7 +114,8 @@ static double residual(double a, double b, double c)
     return acos(fmax(-1.0, fmin(1.0, 0.5 * (trace - 1.0)))) * 180.0 / MIRROR_PI;
 }
 
-// The same for small angles, from docs/05_transforms.md: products of two.
+// An estimate of residual for small angles, from docs/05_transforms.md: it consists of products of
+// two angles.
 static double estimated(double a, double b, double c)
 {
     return sqrt(b * c * b * c + a * c * a * c + a * b * a * b) * MIRROR_PI / 180.0;
@@ -120,23 +124,25 @@ static double estimated(double a, double b, double c)
 TEST(test_negated_angles_are_no_inverse)
 {
     double left = residual(30.0, 40.0, 20.0), worse = residual(90.0, 90.0, 0.0);
-    print_message("# left by negated angles: %.1f degrees at (30, 40, 20), %.1f at (90, 90, 0)\n",
-                  left, worse);
+    print_message(
+        "# remaining after negated angles: %.1f degrees at (30, 40, 20), %.1f at (90, 90, 0)\n",
+        left, worse);
     assert_true(fabs(left - 26.1) < 0.05 && fabs(worse - 120.0) < 1e-4);
     double small = residual(5.0, 5.0, 5.0), estimate = estimated(5.0, 5.0, 5.0);
     print_message("# at (5, 5, 5): %.3f degrees, estimated %.3f; at (30, 40, 20) estimated %.1f\n",
                   small, estimate, estimated(30.0, 40.0, 20.0));
     assert_true(fabs(small / estimate - 1.0) < 0.05);
     assert_true(fabs(estimated(30.0, 40.0, 20.0) - 27.3) < 0.05);
-    // What is left here is only the rounding of a cosine of 1.
+    // For a single angle, only the rounding of a cosine of 1 remains.
     assert_true(residual(30.0, 0.0, 0.0) < 0.05 && residual(0.0, 0.0, -70.0) < 0.05);
-    // The printed matrix: a term in row 1, column 2 is missing.
+    // In the report's printed matrix, a term in row 1, column 2 is missing.
     double k = MIRROR_PI / 180.0;
     struct m3 printed = turned(30.0, 40.0, 20.0);
     double missing = -cos(30.0 * k) * sin(20.0 * k);
     printed.column[1].x -= missing;
-    print_message("# the printed matrix at (30, 40, 20): determinant %.3f, largest stretch %.3f\n",
-                  m3_determinant(&printed), m3_largest_stretch(&printed));
+    print_message(
+        "# the report's printed matrix at (30, 40, 20): determinant %.3f, largest stretch %.3f\n",
+        m3_determinant(&printed), m3_largest_stretch(&printed));
     assert_true(fabs(m3_largest_stretch(&printed) - 1.160) < 0.001);
 }
 
@@ -156,15 +162,16 @@ TEST(test_scaling_is_exact_with_the_factor_outside)
                 without = fmax(without, f / factor / truth);
         }
         free(values);
-        print_message(
-            "# scaled by %.2f: off by at most %.2g; without the factor %.2f times as far\n", factor,
-            worst, without);
+        print_message("# scaled by %.2f: off by at most %.2g; without the factor up to %.2f times "
+                      "the distance\n",
+                      factor, worst, without);
         assert_true(worst < 4e-6 && fabs(without * factor - 1.0) < 0.01);
     }
 }
 
-// The distance to the spheroid 4 x^2 + y^2 + z^2 = 1, in the half plane of x and rho: the nearest
-// of many points of the ellipse, then a ternary search between its neighbours.
+// The signed distance to the spheroid 4 x^2 + y^2 + z^2 = 1, in the half-plane of x and rho: first
+// find the nearest of many points of the ellipse, and then use a ternary search between its
+// neighbours.
 static double brute_spheroid(struct d3 p)
 {
     enum { COUNT = 200 };
@@ -199,8 +206,8 @@ TEST(test_the_largest_singular_value_makes_a_linear_map_safe)
             assert_true((double)v[3] >= truth - 1e-6);
     }
     free(values);
-    print_message("# M = diag(2, 1, 1): %.4f of the distance at most; %.4f undivided\n", largest,
-                  2.0 * largest);
+    print_message("# M = diag(2, 1, 1): at most %.4f times the distance; undivided %.4f times\n",
+                  largest, 2.0 * largest);
     assert_true(largest <= 1.0001 && largest > 0.98);
 }
 
@@ -221,7 +228,8 @@ TEST(test_largest_stretch_agrees_with_squaring)
 
 // ---- The torus ----
 
-// The nearest point of the centre circle, by a search: its distance minus the radius of the tube.
+// The signed distance to a torus: the distance to the nearest point of the circle in the middle of
+// the tube, found by a search, minus the radius of the tube.
 static double brute_torus(struct d3 p, double radius, double tube)
 {
     double best = INFINITY, at = 0.0, width = 0.1;

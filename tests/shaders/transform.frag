@@ -1,7 +1,7 @@
 #version 330 core
 // For transform.c and deformation.c: the functions of transform.glsl at random points.
 //
-// Each item takes 4 pixels of a row. Time selects the function; iMouse contains its numbers.
+// Each item takes 4 pixels of a row. Time selects the function; iMouse contains its arguments.
 
 in float Time;
 out vec4 FragColor;
@@ -15,7 +15,7 @@ uniform vec4 iMouse;
 const vec3 HALF = vec3(0.75, 0.5, 1.25);
 const vec3 SHIFT = vec3(0.5, -0.25, 1.0);
 
-// The angles are iMouse.xyz, radians: first about x, then y, then z.
+// The rotation by the angles iMouse.xyz, radians: first about x, then y, then z.
 mat3 turn()
 {
     return rotationZ(iMouse.z) * rotationY(iMouse.y) * rotationX(iMouse.x);
@@ -27,7 +27,7 @@ mat3 randomMatrix()
     return mat3(a, b, nextVector());
 }
 
-// The values of the selected function at p.
+// The value of the selected function at p.
 float asked(int which, vec3 p)
 {
     if (which == 0)
@@ -51,7 +51,7 @@ void main()
     if (which < 10) {
         vec3 p = 3.0 * nextVector();
         slots[0] = vec4(p, asked(which, p));
-    } else if (which < 20) { // 10, 11: a point there and back; iMouse: rate, radius
+    } else if (which < 20) { // 10 twist, 11 bend: a point, the stated stretch and the moved point; iMouse: rate, radius
         vec3 p = 2.0 * nextVector();
         float rate = iMouse.x;
         slots[0] = vec4(p, which == 10 ? twistStretch(rate, iMouse.y) : bendStretch(rate, iMouse.y));

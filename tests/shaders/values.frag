@@ -1,6 +1,6 @@
 #version 330 core
-// For numeric.c: the library's functions of a number or of a position on the screen.
-// Time selects the function; x is the pixel's coordinate.
+// For numeric.c: the library's functions of a number or of a position on the screen. Time selects
+// the function; the pixel's coordinates determine its argument.
 
 in float Time;
 in vec2 FragCoord;
@@ -26,7 +26,7 @@ void main()
     float number = floor(gl_FragCoord.x) + 1024.0 * floor(gl_FragCoord.y);
     FragColor = vec4(0.0);
     if (Time < 1.0) {
-        // Linear light from below 0 to above 1, dense around the knee.
+        // Linear light from below 0 to above 1, with dense samples around the knee of the curve.
         float light = number < 1024.0 ? number / 163840.0 : (number - 2048.0) / 8192.0;
         FragColor = vec4(light, encodeSRGB(vec3(light, 0.5, 2.0)));
     } else if (Time < 2.0) {
@@ -48,7 +48,7 @@ void main()
         vec4 ends = mod(floor(number / vec4(1.0, 5.0, 25.0, 125.0)), 5.0);
         FragColor = vec4(intervalUnion(ends.xy, ends.zw), 0.0, 0.0);
     } else {
-        // A row has its width, 0 to 0.5; its positions run through three periods.
+        // Each row has a constant width, from 0 to 0.5, and positions in three periods.
         float x = mod(number, 1024.0) / 341.0 - 1.0, width = floor(gl_FragCoord.y) / 30.0;
         FragColor = vec4(x, width, stripes(x, 0.5, width), coverage(x, width));
     }

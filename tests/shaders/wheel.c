@@ -2,7 +2,7 @@
 #include "lib/test.h"
 #include "lib/chapter.h"
 
-// Solid i of the wheel, a ball or a die, at 30 i degrees.
+// The distance to solid i of the wheel, a ball or a die, at an angle of 30 i degrees.
 static double solid(struct d3 p, int i)
 {
     double angle = 30.0 * i * MIRROR_PI / 180.0, c = cos(angle), s = sin(angle);
@@ -13,7 +13,7 @@ static double solid(struct d3 p, int i)
     return fmax(faces, mirror_sphere(q, 0.45));
 }
 
-// The points lie half a unit above the stage, over all of it. A distance is at most 4 here.
+// The points are half a unit above the stage, all over it. No distance here exceeds 4.
 TEST(test_folding_finds_the_nearest_of_twelve_solids)
 {
     float *values = chapter_numbers(
