@@ -36,7 +36,7 @@ judge() { # EXERCISE
     CHECK_FOLDER=$folder/check EXERCISE=$1 FILE='' FILES="$folder/*.$type" .make/check.sh >"$folder/table" 2>&1
     while IFS='|' read -r verdict what file; do
         table=$(grep "/$file " "$folder/table" | sed "s/[.]$type  */.$type /")
-        [ ! -e "$folder/${file%.*}.why" ] || table="its edit changes nothing in $solution"
+        [ ! -e "$folder/${file%.*}.why" ] || table="the edit changes nothing in $solution"
         case $file,$table in
         unsolved.*,wrong*) echo "ok $1: $what is refused: ${table#*."$type" }" && continue ;;
         *'does not run'* | *'does not compile'*) ;;
@@ -72,5 +72,5 @@ while read -r line; do
     *) not_ok "${line#not ok }" ;;
     esac
 done < <(LP_NUM_THREADS=1 xargs -P 2 -n 1 "$0" --exercise "$scratch" <"$scratch/exercises")
-check 'there are exercises' [ "$tap_count" -gt 1 ]
+check 'at least one exercise is tested' [ "$tap_count" -gt 1 ]
 plan

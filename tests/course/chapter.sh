@@ -24,26 +24,26 @@ refused() { # NAME WORDS
         [ -z "$(find chapters docs -newer before.txt -type f)" ]
 }
 check "a missing name is refused" refused '' 'NAME is missing'
-check "a name with a capital is refused" refused 'Soft' 'lower-case letters'
+check "a name with a capital letter is refused" refused 'Soft' 'lower-case letters'
 check "a name with a slash is refused" refused '../x' 'lower-case letters'
 
 writes() { NAME=soft_shadows .make/chapter.sh >said 2>&1 && grep -q "make run CHAPTER=$number" said; }
 check "a chapter is written with the next number" writes
 for file in chapters/$stem.c chapters/$stem.frag docs/$stem.md; do
-    check "$file is there" [ -s "$file" ]
+    check "$file exists" [ -s "$file" ]
 done
 listed() { [ "$(tail -n 1 tests/pictures/images.txt)" = "$stem  -" ]; }
-check "its picture is listed in tests/pictures/images.txt" listed
+check "the chapter's picture is listed in tests/pictures/images.txt" listed
 
 builds() { make -s "build/$stem" >said 2>&1 || { sed 's/^/# /' said; return 1; }; }
-check "it builds" builds
+check "the chapter builds" builds
 renders() {
     "build/$stem" -s 160x90 -o picture.png && [ "$(identify -format %k picture.png)" -gt 200 ]
 }
-check "it renders a picture" renders
+check "the chapter renders a picture" renders
 # shellcheck disable=SC2016 # the backticks are Markdown's
 page() { .make/listings.sh "docs/$stem.md" >/dev/null && grep -q '`ballRadius` | 0.8 |' "docs/$stem.md"; }
-check "its page has its listings and its table of parameters" page
+check "the chapter's page has the listings and the table of parameters" page
 
 not_overwritten() {
     printf '// mine\n' >"chapters/$(printf '%02d' $((10#$number + 1)))_mine.frag"

@@ -1,5 +1,5 @@
 #!/bin/bash
-# check.sh - tests `make check`: it accepts the solution of an exercise, refuses the chapter's unsolved shader, and says
+# check.sh - tests `make check`: it accepts the solution to an exercise, refuses the chapter's unsolved shader, and says
 # what is wrong, on one line for a file that does not run, or on four lines for pictures that differ.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -7,13 +7,13 @@ cd "$(dirname "$0")/../.." || exit 1
 
 accepted() { EXERCISE=$1 FILE=$2 FILES='' .make/check.sh >"$scratch/answer.$1" 2>&1; }
 
-# True if the answer is refused: a line says why it does not run, or four lines say where it differs and what to look
-# at.
+# True if the answer is refused: a line says why the shader does not run, or four lines say where its picture differs
+# and what to look at.
 refused() { # EXERCISE FILE
     ! accepted "$1" "$2" || return 1
     grep -q ': wrong: does not run: ' "$scratch/answer.$1" && return
     [ "$(wc -l <"$scratch/answer.$1")" = 4 ] &&
-        grep -q ': wrong: .*most around [0-9]*,[0-9]*, \(in\|at\) the .*: see build/' "$scratch/answer.$1" &&
+        grep -q ': wrong: .*most around [0-9]*,[0-9]*, \(in\|at\|on\) the .*: see build/' "$scratch/answer.$1" &&
         grep -q "^  look at yours: build/.* --shader $2" "$scratch/answer.$1" &&
         [ "$(grep -c 'colour: [0-9]*, [0-9]*, [0-9]*$' "$scratch/answer.$1")" = 2 ]
 }
@@ -25,14 +25,14 @@ sed -n 's/^\([0-9][0-9]_[0-9]*\) .*/\1/p' tests/course/checks.txt | sort -u | co
 check 'tests/course/checks.txt names only exercises that exist' [ ! -s "$scratch/unknown" ]
 # answers.sh checks all exercises; it runs only before a release.
 for exercise in 00_2 03_2 10_7 11_2 12_2 13_2; do
-    check "$exercise: the solution is right" accepted $exercise chapters/solutions/"${exercise%_*}"_*_"${exercise#*_}".frag
+    check "$exercise: the solution is accepted" accepted $exercise chapters/solutions/"${exercise%_*}"_*_"${exercise#*_}".frag
     check "$exercise: the unsolved chapter is refused" refused $exercise chapters/"${exercise%_*}"_*.frag
 done
 
-# A folder outside the project, like that of a lecturer: it has files of several students, some with the same name.
+# A folder outside the project, such as a lecturer's. It contains files from several students, some with the same name.
 handed_in="$scratch/handed in"
 mkdir -p "$handed_in/ada" "$handed_in/ben"
-# This shader renders the same picture, but its rays differ: the first march has another direction.
+# This shader renders the solution's picture, but its rays differ: its first march goes in the opposite direction.
 cat >"$handed_in/ben/rays.frag" <<'END'
 #include "main.glsl"
 #include "march.glsl"
@@ -74,7 +74,7 @@ check "a right picture with wrong rays is refused" \
     one_is ben/rays.frag 'picture is right, but its rays are not: pixel '
 build/03_shadows -f chapters/solutions/03_shadows_2.frag --print-shader=shadertoy >"$handed_in/toy.frag"
 check "a right picture from a file that records no rays is refused" one_is toy.frag 'rays are not: no ray is recorded'
-check "a file that does not compile is refused with its line" \
+check "a file that does not compile is refused with the line of the error" \
     one_is ben/broken.frag 'does not run: .*broken.frag:1'
 check "an empty file, with a space in its name, is refused" \
     one_is 'ben/empty file.frag' 'does not run: .*empty file.frag: empty'
@@ -95,14 +95,14 @@ of_class() {
     [ $? = 1 ] && says '^right  .*ada/my lamp.frag ' && says '^wrong  .*rays.frag ' &&
         says '^wrong  .*broken.frag ' && says '^wrong  .*empty file.frag ' && says '^1 of 6 right$'
 }
-check "a folder outside the project gives a table" of_class
+check "the files in a folder outside the project are judged in a table" of_class
 of_one_name() {
     local pictures
     pictures=$(grep -o 'build/check/.*difference.png' "$scratch/answer.03_2")
     [ "$(sort -u <<<"$pictures" | wc -l)" = 2 ] &&
         while IFS= read -r picture; do [ -s "$picture" ] || return 1; done <<<"$pictures"
 }
-check "files with the same name leave separate pictures" of_one_name
+check "files with the same name get separate pictures" of_one_name
 listed() {
     table 03_2 "chapters/solutions/03_shadows_1.frag chapters/solutions/03_shadows_3.f*"
     [ $? = 1 ] && says '^0 of 2 right$' && [ ! -e build/check/03_2"$handed_in" ]
@@ -138,7 +138,7 @@ asks_wrong() { # EXERCISE WORDS
     EXERCISE=$1 FILE=x FILES='' .make/check.sh >"$scratch/answer.03_2" 2>&1
     [ $? = 2 ] && [ "$(wc -l <"$scratch/answer.03_2")" = 1 ] && says "$2"
 }
-check "a missing exercise is refused" asks_wrong '' 'which exercise'
+check "a command without an exercise is refused" asks_wrong '' 'which exercise'
 check "an exercise of a missing chapter is refused" asks_wrong 99_1 'there are 00_1 '
 check "an exercise without a solution is refused" asks_wrong 03_99 "there are 00_1 .* 03_4 04_1 .* $(tail -n 1 "$scratch/exercises") engine_1 .*engine_4$"
 check "a name that no exercise can have is refused" asks_wrong shadows 'such as 03_2'

@@ -1,7 +1,7 @@
 #!/bin/bash
-# claims.sh [PAGE...] - tests that the pages agree with `make compare` about the pictures that they compare: the share
-# of the pixels that differ, to the last digit given, or that no pixel differs. With arguments, such as 03, only these
-# pages are tested.
+# claims.sh [PAGE...] - tests that the pages agree with `make compare` about the pictures that they compare. If no pixel
+# differs, the page must say so. Otherwise, if the page gives percentages, one of them must be the share of the pixels
+# that differ, rounded to the last digit given. With arguments, such as 03, only those pages are tested.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -9,8 +9,9 @@ cd "$(dirname "$0")/../.." || exit 1
 open_scratch
 
 # Print the blocks of a page that compare pictures as lines 'draw COMMAND', 'compare A B', 'none' (the text says that no
-# pixel differs) and 'claim NUMBERS'. The text of a block is the paragraph above it and what follows it, up to the next
-# heading, the next numbered experiment or 13 lines. A block that first writes the reader's own shader is left out.
+# pixel differs) and 'claim NUMBERS'. The text of a block is the paragraph above it and at most 13 non-empty lines below
+# it, up to the next heading, numbered experiment or block of commands. A block that writes a shader with sed or cp is
+# left out.
 blocks_of() { # PAGE
     awk '
         function end() {

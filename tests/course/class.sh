@@ -1,6 +1,6 @@
 #!/bin/bash
-# class.sh - tests `make marks` on a class of thirty invented students and two exercises: right and wrong answers,
-# copies, and files that do not compile, never end or do harm. Every mark and every remark must be the expected one.
+# class.sh - tests `make marks` with a class of thirty invented students and two exercises: right and wrong answers,
+# copies, and files that do not compile, never end or do harm. Every mark and every remark must be as expected.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -15,7 +15,7 @@ expect() { printf '%s\t%s\t%s\t%s\n' "$@" >>"$expected"; }
 solution() { echo chapters/solutions/"${1%_*}"_*_"${1#*_}".frag; } # EXERCISE
 chapter() { echo chapters/"${1%_*}"_*.frag; }
 
-# hand_in STUDENT EXERCISE MARK REMARK: stores an answer, whose text comes from standard input.
+# hand_in STUDENT EXERCISE MARK REMARK: stores an answer from standard input, and records the expected mark and remark.
 hand_in() {
     mkdir -p "$class/$1"
     cat >"$class/$1/$2.frag"
@@ -28,32 +28,32 @@ edits() { # EXERCISE VERDICT
 }
 
 for exercise in 00_2 03_2; do
-    # Seventeen right answers: sixteen are the solution with a different last line, and one is written differently.
+    # Seventeen right answers: sixteen are the solution with a different last line, and one is an edit from answers.txt.
     for student in 01 02 03 04 05 06 07 08 09 10 11 12 13 14 15 16; do
         { cat "$(solution $exercise)"; echo "#define STUDENT_$student"; } | hand_in "$student" $exercise right 'as the solution'
     done
     edits $exercise right | head -n 1 >"$scratch/edit"
     sed "$(cat "$scratch/edit")" "$(solution $exercise)" | hand_in 17 $exercise right 'as the solution'
-    # Two wrong answers, and the unsolved chapter twice, which does not count as copying.
+    # Two wrong answers, and the unsolved chapter from two students, which does not count as copying.
     edits $exercise wrong | head -n 2 >"$scratch/edits"
     sed "$(sed -n 1p "$scratch/edits")" "$(solution $exercise)" | hand_in 18 $exercise wrong ' differ '
     sed "$(sed -n 2p "$scratch/edits")" "$(solution $exercise)" | hand_in 19 $exercise wrong ' differ '
     hand_in 20 $exercise wrong 'differ\|compile' <"$(chapter $exercise)"
     hand_in 21 $exercise wrong 'differ\|compile' <"$(chapter $exercise)"
-    # The published solution, once disguised and once included, and one answer from two students.
+    # The published solution, once disguised and once included, and the same answer from two students.
     { echo '/* all * my own */'; sed 's/; *$/ ;  \/\/ mine/' "$(solution $exercise)"; } | hand_in 22 $exercise copied '^the published solution; as the'
     echo '#include "solutions/'"$(basename "$(solution $exercise)")"'"' | hand_in 23 $exercise copied '^the published solution; '
     for student in 24 25; do
         { cat "$(solution $exercise)"; echo "#define TWIN // $student"; } | hand_in $student $exercise copied '^the same text: 24, 25; as the solution'
     done
-    # Files that do not compile: one with a mistake, an empty one, and one that is not text.
+    # Files that do not compile: one with a syntax error, one that is empty, and one that is not text.
     echo 'float sceneDistance(vec3 p) { return 1 +; }' | hand_in 26 $exercise wrong 'does not run: .*frag:1'
     hand_in 27 $exercise wrong 'does not run: .*empty' </dev/null
     head -c 4000 build/00_first_scene | hand_in 28 $exercise wrong 'does not run: '
 done
 
-# The last two students hand in a shader that never ends, one that includes a file of the system, one that uses up the
-# memory, and a pipe.
+# The last two students hand in a shader that never ends, one that includes a system file, one that exhausts the memory,
+# and a pipe.
 hand_in 29 00_2 wrong 'does not end: no picture after' <<'END'
 #version 330 core
 in vec2 FragCoord;
@@ -84,7 +84,7 @@ while IFS=$'\t' read -r student exercise mark remark; do
     [ "$exercise" = 00_2 ] || column=4
     awk -F ',' -v student="\"$student\"" '$1 == student' "$scratch/marks.csv" | tr -d '\n' >"$scratch/row"
     found=$(awk -v column=$column '{
-        # Split a row into fields: commas within quotes do not separate.
+        # Split a row into fields. A comma within quotes does not separate fields.
         for (i = 1; i <= length($0); i++) {
             c = substr($0, i, 1)
             if (c == "\"") quoted = !quoted

@@ -9,7 +9,7 @@ draw() { build/02_lighting -s 128x72 -o "$scratch/$1.png" "${@:2}" >/dev/null; }
 draw one && draw same && draw hair -p ambient=0.012,0.02,0.0353 && draw other -p falloff=false
 build/02_lighting -s 64x36 -o "$scratch/small.png"
 draw shifted -p ambient=0.013,0.0215,0.037
-echo 'this is no picture at all' >"$scratch/text.png"
+echo 'this is not a picture' >"$scratch/text.png"
 
 # says STATUS WORDS NAME...: comparing the pictures NAME.png must give this status and one line that matches WORDS.
 says() {
@@ -24,17 +24,17 @@ says() {
 }
 shown() { [ -s build/compare.png ]; }
 says 1 '[0-9.]* % of the pixels differ by more than 2 of 255, at most by [0-9]*, most around [0-9]*,[0-9]*: see build/compare.png' one other
-check 'two pictures differ' [ $? = 0 ]
-check 'their difference is shown in a picture' shown
-check 'two equal pictures' says 0 'the pictures are the same: no pixel differs' one same
-check 'the earlier picture of a difference is removed' eval '! shown'
+check 'two different pictures are reported' [ $? = 0 ]
+check 'the difference between two pictures is shown in a picture' shown
+check 'two equal pictures are reported as the same' says 0 'the pictures are the same: no pixel differs' one same
+check 'an earlier picture of a difference is removed' eval '! shown'
 check 'a rounding error is not a difference' says 0 'the pictures are the same: no pixel differs by more than 2 of 255, at most by 1' one hair
 check 'a small difference over a whole region counts' says 1 'no pixel differs by more than [12] of 255, but a whole region differs a little, most around .*: see build/compare.png' one shifted
-check 'two pictures of different sizes' says 2 'make: pictures of different size cannot be compared: 128x72 and 64x36' one small
-check 'a text file' says 2 "make: .*text.png: cannot be read: Not a PNG file: save it again as a PNG" one text
-check 'a missing file' says 2 "make: .*absent.png: cannot be read: No such file or directory" one absent
-check 'one picture' says 2 'make: which two pictures? .*' one
-check 'three pictures' says 2 'make: which two pictures? .*' one one one
+check 'two pictures of different sizes are refused' says 2 'make: pictures of different sizes cannot be compared: 128x72 and 64x36' one small
+check 'a text file is refused' says 2 "make: .*text.png: cannot be read: Not a PNG file: save it again as a PNG" one text
+check 'a missing file is refused' says 2 "make: .*absent.png: cannot be read: No such file or directory" one absent
+check 'a single picture is refused' says 2 'make: which two pictures? .*' one
+check 'three pictures are refused' says 2 'make: which two pictures? .*' one one one
 asks() { make -s compare PICTURES="$scratch/$1.png $scratch/$2.png" >"$scratch/said" 2>&1; }
 check 'make compare succeeds for pictures that differ' asks one other
 check 'make compare fails for a text file' eval '! asks one text'

@@ -16,7 +16,7 @@ for source in chapters/[0-9][0-9]_*.c; do
     chapters+=("${stem%.c}")
 done
 
-# judge NAME COMPLAINTS: ok if there are no complaints.
+# judge NAME COMPLAINTS: the test passes if there are no complaints.
 judge() {
     if [ -z "$2" ]; then ok "$1"; else not_ok "$1" "$(tr '\n' ';' <<<"$2")"; fi
 }
@@ -32,8 +32,8 @@ prose_of() { # PAGE [code]
         { if (keep == "") gsub(/`[^`]*`/, ""); print FNR ":" $0 }' "$1"
 }
 
-# Print the fenced lines of a page, where a line that ends in \ is joined to the next, and each piece of inline code on
-# its own line.
+# Print the fenced lines of a page, with each line that ends in \ joined to the next, and each piece of inline code on a
+# separate line.
 code_of() { # PAGE
     awk '
         /^ *```/ { fenced = !fenced; next }
@@ -126,7 +126,7 @@ bad_formulas() { # PAGE
         END { if (open) print page ": a formula is not closed" }'
 }
 
-# A page has a summary in French, which is five lines long, below its heading.
+# A page has a summary in French, which is five lines long, below the heading L'essentiel.
 bad_summary() { # PAGE
     awk '
         /^#+ L.essentiel *$/ { found = 1; next }
@@ -171,7 +171,7 @@ bad_exercises() { # PAGE
 }
 
 # A fold (<details>) is an answer, a hint or a solution, and its tags are on separate lines between empty lines. Each
-# prediction and each experiment is followed by its folded answer.
+# prediction and each experiment is followed by a folded answer.
 bad_folds() { # PAGE
     awk '
         function judge() { if (asked) print asked ": has no folded answer"; asked = "" }
@@ -221,14 +221,14 @@ bad_form() { # PAGE
 matches() { "$2" "$1" | grep "-E${4-}" -e "$3" | sed "s|^|$1:|" | head -n 3; }
 lines_of() { grep -n '' "$1"; }
 
-# These find the remains of an unfinished merge; an unusual notation for lengths and products; short options, which mean
-# nothing to a new reader; and phrases that are wrong English, which pages may mention only in quotes.
+# These checks find the remains of an unfinished merge; an unusual notation for lengths and products; short options,
+# which mean nothing to a new reader; and phrases that are wrong English, which pages may mention only in quotes.
 bad_merges() { matches "$1" lines_of '^[0-9]+:(<<<<<<<|>>>>>>>) '; }
 bad_notation() { matches "$1" lines_of '\\(langle|rangle|lVert|rVert|Vert|\|)'; }
 bad_options() { matches "$1" code_of '(^|[ /])build/[0-9][^|>]* -[a-z]( |$)|^-[a-z] '; }
 bad_phrases() { matches "$1" prose_of "(^|[^'])\\b(in place of|under an angle|anew|as it were|(as|by|for|of|to) who) " i; }
 
-# Find the French terms in parentheses on a page that the glossary lacks.
+# Report the French terms in a page's parentheses that the glossary lacks.
 untranslated() { # PAGE
     prose_of "$1" | grep -o '([*][^*]*[*]' | sed 's/^([*]//; s/[*]$//; s/, /\n/g' | awk -F ' *[|] *' -v page="$1" '
         function words(text) { # a plural counts as its singular
@@ -300,7 +300,7 @@ targets=" $(sed -n 's/^\([a-z][-a-z0-9]*\):.*/\1/p' Makefile | tr '\n' ' ')"
 
 # Each command of a chapter's program is tried with --list added. The program then reads all options, the shader and the
 # values of its parameters, but renders nothing. A shader that the reader writes, such as 'my.frag', is replaced with
-# the chapter's own. A command with the comment '# refused' must be refused.
+# the chapter's shader. A command with the comment '# refused' must be refused.
 bad_commands() { # PAGE
     local command target
     code_of "$1" | grep -E '(^|[;&|(] *)(build/[0-9]|make [a-z]|[A-Z]+=)' | sed 's/ && /\n/g; s/[;|].*//' |
@@ -345,7 +345,7 @@ try_command() { # COMMAND
     esac
 }
 
-# The last line that a page shows of a probe must be the last line that the command prints. After several commands,
+# The last line of a probe's output on a page must be the last line that the command prints. Below several commands,
 # their last lines follow in the same order.
 bad_outputs() { # PAGE
     local command shown
@@ -365,8 +365,8 @@ bad_outputs() { # PAGE
         done
 }
 
-# True if two last lines of a probe agree. Each channel of the colour may differ by one, because the driver may be
-# another.
+# True if two last lines of a probe agree. Each channel of the colour may differ by one, because another driver may
+# round differently.
 same_line() { # A B
     [ "${1%colour: *}" = "${2%colour: *}" ] && awk -v a="${1##*: }" -v b="${2##*: }" 'BEGIN {
         n = split(a, x, ", "); split(b, y, ", ")
@@ -410,7 +410,8 @@ check_pages() {
 
 # ---- The checks themselves: each must find a mistake ----
 
-# refuses NAME TEXT CHECK: the check must complain about a page with this text. accepts NAME TEXT CHECK: it must not.
+# refuses NAME TEXT CHECK: the check must complain about a page with this text. accepts NAME TEXT CHECK: the check must
+# not complain.
 refuses() {
     mkdir -p "$scratch/docs"
     printf '%b' "$2" >"$scratch/docs/page.md"
@@ -446,7 +447,7 @@ check_checks() {
     refuses 'parts out of order' "$(sed 's/^## Proofs/## Lemmas/' docs/01_normal_colouring.md)" bad_form
     refuses 'angle brackets for a product' '$\\langle a, b \\rangle$\n' bad_notation
     refuses 'a phrase that is always wrong' 'a mean in place of a sum\n' bad_phrases
-    accepts 'such a phrase in quotes' "say 'instead of', not 'in place of'\n" bad_phrases
+    accepts 'a wrong phrase in quotes' "say 'instead of', not 'in place of'\n" bad_phrases
     refuses 'a short option' "\`build/${chapters[0]} -t 2\`\n" bad_options
     refuses 'a French term that the glossary lacks' 'the ray (*rayon*), the **word** (*mot, rayon*)\n' untranslated
     refuses 'a term listed twice' "$(sed '/^| acne /p' docs/glossary.md)" bad_glossary
@@ -462,8 +463,8 @@ check_checks() {
     refuses 'a missing shader' "\`build/${chapters[0]} -f chapters/gone.frag\`\n" bad_commands
     refuses 'an unknown parameter' "\`build/${chapters[0]} -p gone=1\`\n" bad_commands
     refuses 'a command that is accepted although it is marked as refused' "\`build/${chapters[0]} # refused\`\n" bad_commands
-    check 'a colour may be off by one' same_line '# hit; colour: 1, 20, 3' '# hit; colour: 2, 20, 2'
-    check 'a colour may not be off by two' eval "! same_line '# hit; colour: 1, 20, 3' '# hit; colour: 1, 20, 5'"
+    check 'a channel of a colour may differ by one' same_line '# hit; colour: 1, 20, 3' '# hit; colour: 2, 20, 2'
+    check 'a channel of a colour may not differ by two' eval "! same_line '# hit; colour: 1, 20, 3' '# hit; colour: 1, 20, 5'"
     refuses 'an output that the command does not print' "\`\`\`\n$probe\n# hit; evaluations of the scene: 0; colour: 1, 2, 3\n\`\`\`\n" bad_outputs
     refuses 'an unknown target' '`make nonsense`\n' bad_commands
     refuses 'a variable in front of a command' '`NONE=1 make test`\n' bad_commands
@@ -549,12 +550,12 @@ check_tool() {
     printf '<!-- parameters: 01_normal_colouring -->\n| stale |\n' >"$page"
     check 'a stale table of parameters fails --check' fails "$page" ':1: differs' --check
     check 'a stale table of parameters is rewritten' rewrites "$page"
-    check 'a table of parameters names them' grep -q '^| `hitThreshold` |' "$page"
+    check 'a table of parameters names each parameter' grep -q '^| `hitThreshold` |' "$page"
     printf '<!-- parameters: 99_nothing -->\n' >"$page"
     check 'a table of parameters of an unknown program fails' fails "$page" 'make first'
 
-    # The page has 1100 words of story and 150 of proofs. If they counted, the folded text and the listing would each
-    # take 5 minutes more.
+    # The page has 1100 words of story and 150 words of proofs. If the folded text, the listing or the exercises
+    # counted, each would add 5 minutes.
     local thousand
     thousand=$(seq 1000 | tr '\n' ' ')
     printf '<!-- time -->\n**Time.** stale\n\n## 1. a\n\n%s\n\n<details><summary>Answer</summary>\n\n%s\n\n</details>\n\n```\n%s\n```\n\n## Exercises\n\n%s\n\n## Proofs\n\n%s\n' \
@@ -580,7 +581,7 @@ used() { # TEXT: true if a page with this text is accepted
     .make/listings.sh "$scratch/used.md" >/dev/null && .make/listings.sh --check "$scratch/used.md"
 }
 
-# Print the functions and structs of the test's source that no page shows, if a page has these markers.
+# Print the functions and structs of the test's source that a page with these markers does not show.
 unlisted() { # MARKER...
     printf '<!-- code: %s -->\n' "$@" >"$scratch/used.md"
     awk -v library="$scratch/source.glsl" -f .make/source.awk -f .make/listings_used.awk \
@@ -622,8 +623,8 @@ check_pages
 judge "docs/engine.md: its exercises have checks, hints and solutions" "$(bad_exercises docs/engine.md)"
 judge "docs/engine.md: each question has its answer" "$(bad_folds docs/engine.md)"
 judge "docs/engine.md: its French terms are in the glossary" "$(untranslated docs/engine.md)"
-judge "docs/glossary.md: terms in order, with French names and sections" "$(bad_glossary docs/glossary.md)"
-judge "docs/teaching.md: each lab has its prediction, its demonstration, its work and its question" \
+judge "docs/glossary.md: its terms are in order, with French names and sections" "$(bad_glossary docs/glossary.md)"
+judge "docs/teaching.md: each lab has a prediction, a demonstration, work and an exit question" \
     "$(bad_labs docs/teaching.md)"
 judge "every function and struct that the course teaches is on a page" \
     "$(.make/listings.sh --check 2>&1 | grep 'is on no page')"

@@ -82,12 +82,12 @@ for source in docs/figures/*.c; do
     name=$(basename "$source" .c)
     [ "$name" = svg ] && continue
     count=$((count + 1))
-    check "$name.svg is what its program draws: make figures" drawn "$name"
+    check "$name.svg is the output of its program (make figures renews it)" drawn "$name"
     check "$name.svg is well formed, with a title and a description" sound "docs/figures/$name.svg"
     check "$name.svg is on a page" shown "$name"
 done
 check "there are at least 13 figures" [ $count -ge 13 ]
-check "normal_error.svg, which shows rounding errors, is identical to the byte" \
+check "normal_error.svg, which shows rounding errors, is identical in every byte" \
     cmp docs/figures/normal_error.svg "$scratch/normal_error.svg"
 alone() {
     local file
@@ -97,8 +97,8 @@ alone() {
 }
 check "every figure has a program" alone
 
-# Print the rows of the table in errata.md that names the counterparts of the report's figures: the number of a figure,
-# and then the files that the row links to.
+# Print the rows of the table in errata.md that names the counterparts of the report's figures. Each row is printed as
+# the number of a figure and the files that the row links to.
 counterparts() { # PAGE
     awk -F ' *[|] *' '/^## / { here = /report.s figures/ } here && $2 ~ /^[0-9]+$/ {
         row = $2

@@ -55,8 +55,8 @@ fails() {
     return 1
 }
 
-# Run a command that may write at most this many KiB to a file. SIGXFSZ would end the program before its message, so it
-# is ignored.
+# Run a command that may write at most this many KiB to a file. SIGXFSZ is ignored, because it would end the program
+# before the program prints its message.
 within_kib() { # KIB COMMAND...
     (trap '' XFSZ && ulimit -f "$1" && shift && exec "$@")
 }
@@ -66,11 +66,11 @@ draws() { # REFERENCE SHADER [PICTURE]
     draw "${@:2}" && build/tests/compare "tests/references/$1.png" "$scratch/picture.png"
 }
 check 'step 6 draws the first step of chapter 00' draws 00_first_scene-step-1 "$sources/1_screen.frag"
-check 'step 6 draws what its own camera sees' draws 00_first_scene-engine-4 "$sources/engine_4.frag"
-check 'step 6 draws its wooden floor' draws engine_5 "$sources/engine_5.frag" "$plank"
+check 'step 6 draws the scene of step 4' draws 00_first_scene-engine-4 "$sources/engine_4.frag"
+check 'step 6 draws the wooden floor of step 5' draws engine_5 "$sources/engine_5.frag" "$plank"
 
-# A picture of two texels, black above white, must be read upright and averaged as light, both within a level and from
-# one level to the next.
+# A texture of two texels, black above white, must be sampled the right way up and averaged in linear light, both within
+# a level and from one level to the next.
 printf '%s\n' '#version 330 core' 'in vec2 FragCoord; uniform sampler2D picture; out vec4 FragColor;' 'void main() {' \
     'FragColor = textureLod(picture, vec2(0.5, FragCoord.x < -0.6 ? 0.25 : 0.5), FragCoord.x < 0.6 ? 0.0 : 1.0); }' >"$scratch/read.frag"
 averages() {
@@ -80,34 +80,34 @@ averages() {
             [[ $(convert "$scratch/picture.png" -crop "1x1+$x+9" -depth 8 gray:- | od -An -tu1) =~ ^\ *12[78]$ ]] || return 1
         done
 }
-check 'a texture is upright and averaged as light' averages
+check 'a texture is the right way up and averaged in linear light' averages
 
 for line in '' '-o' '-o a.png' '-t 1 a.frag' 'a b c'; do
-    # shellcheck disable=SC2086 # words
+    # shellcheck disable=SC2086 # the line is split into words
     check "the command line '$line' is refused" fails 2 '^usage: ' "$steps/engine_6" $line
 done
-check 'a missing shader' fails 1 "^engine: $scratch/gone.frag: No such file" draw "$scratch/gone.frag"
-check 'a folder as a shader' fails 1 '^engine: tests: ' draw tests
+check 'a missing shader is reported' fails 1 "^engine: $scratch/gone.frag: No such file" draw "$scratch/gone.frag"
+check 'a folder given as a shader is reported' fails 1 '^engine: tests: ' draw tests
 head -c 70000 /dev/zero | tr '\0' ' ' >"$scratch/long.frag"
-check 'a shader that is too long' fails 1 'long.frag: too long: ' draw "$scratch/long.frag"
+check 'a shader that is too long is reported' fails 1 'long.frag: too long: ' draw "$scratch/long.frag"
 sed 's/red, green/rde, green/' "$sources/1_screen.frag" >"$scratch/wrong.frag"
-check 'a mistake is reported with its line' fails 1 "^engine: $scratch/wrong.frag:13: .*rde" draw "$scratch/wrong.frag"
+check 'a mistake in a shader is reported with its line' fails 1 "^engine: $scratch/wrong.frag:13: .*rde" draw "$scratch/wrong.frag"
 sed 's/in vec2 FragCoord/in vec4 FragCoord/' "$sources/1_screen.frag" >"$scratch/unfit.frag"
-check 'an input of another type is reported' fails 1 "^engine: $scratch/unfit.frag: .*FragCoord" draw "$scratch/unfit.frag"
-check 'a missing picture' fails 1 '^engine: gone.png: ' draw "$sources/engine_5.frag" gone.png
-check 'a file that is not a picture' fails 1 '^engine: README.md: ' draw "$sources/engine_5.frag" README.md
+check 'an input of the wrong type is reported' fails 1 "^engine: $scratch/unfit.frag: .*FragCoord" draw "$scratch/unfit.frag"
+check 'a missing picture is reported' fails 1 '^engine: gone.png: ' draw "$sources/engine_5.frag" gone.png
+check 'a file that is not a picture is reported' fails 1 '^engine: README.md: ' draw "$sources/engine_5.frag" README.md
 head -c 2000 "$plank" >"$scratch/half.png"
-check 'a truncated picture' fails 1 "^engine: $scratch/half.png: " draw "$sources/engine_5.frag" "$scratch/half.png"
-check 'a missing folder' fails 1 "^engine: $scratch/gone/a.png: " "$steps/engine_6" -o "$scratch/gone/a.png" "$sources/1_screen.frag"
+check 'a truncated picture is reported' fails 1 "^engine: $scratch/half.png: " draw "$sources/engine_5.frag" "$scratch/half.png"
+check 'a missing folder for the picture is reported' fails 1 "^engine: $scratch/gone/a.png: " "$steps/engine_6" -o "$scratch/gone/a.png" "$sources/1_screen.frag"
 full() { fails 1 'full.png: ' within_kib 1 "$steps/engine_6" -o "$scratch/full.png" "$sources/engine_4.frag" && [ ! -e "$scratch/full.png" ]; }
-check 'a full disk, which leaves no picture' full
-# The driver is Mesa's, because LIBGL_ALWAYS_SOFTWARE is set.
-check 'an OpenGL that is too old' fails 1 '^engine: no OpenGL 3.3' env MESA_GL_VERSION_OVERRIDE=3.2 "$steps/engine_6" -o "$scratch/old.png" "$sources/1_screen.frag"
-hidden() { # COMMAND...: runs it where no window can be opened, without the lines that libwayland may add
+check 'a full disk is reported, and no part of the picture is left' full
+# LIBGL_ALWAYS_SOFTWARE selects Mesa's driver, which obeys MESA_GL_VERSION_OVERRIDE.
+check 'with -o, a version of OpenGL that is too old is refused' fails 1 '^engine: no OpenGL 3.3' env MESA_GL_VERSION_OVERRIDE=3.2 "$steps/engine_6" -o "$scratch/old.png" "$sources/1_screen.frag"
+hidden() { # COMMAND...: runs the command where no window can be opened, and prints only the engine's messages
     env -u DISPLAY -u WAYLAND_DISPLAY "$@" 2>&1 | grep -e '^engine: '
     return "${PIPESTATUS[0]}"
 }
-check 'a window without a display' fails 1 '^engine: no window' hidden "$steps/engine_1"
+check 'a window without a display is refused' fails 1 '^engine: no window' hidden "$steps/engine_1"
 check 'step 6 says that -o needs no window' fails 1 'needs none' hidden "$steps/engine_6" "$sources/1_screen.frag"
 
 # ---- The exercises ----
@@ -119,18 +119,18 @@ solved() { # EXERCISE
 }
 for diff in chapters/solutions/engine_*.diff; do
     name=$(basename "$diff" .diff)
-    check "make check accepts the solution of $name, but not the unsolved engine" solved "$name" || sed 's/^/# /' "$scratch/said"
+    check "make check accepts the solution to $name, but not the unsolved engine" solved "$name" || sed 's/^/# /' "$scratch/said"
 done
 echo 'int main(void) { return x; }' >"$scratch/broken.c"
 refused() { ! checked engine_1 "$scratch/broken.c" && grep -q 'does not compile: .*broken.c:1:' "$scratch/said"; }
-check 'make check names the line of a program that does not compile' refused
+check 'make check names the line of the error in a program that does not compile' refused
 check 'make diff compares a step with the one before' [ "$(CHAPTER=engine_2 .make/diff.sh | grep -c '^[+]static bool read_text')" = 1 ]
 
 # ---- In a window ----
 
 close_scratch
 . tests/lib/window.sh
-export XDG_RUNTIME_DIR=$scratch # otherwise, libwayland reports that it is not set
+export XDG_RUNTIME_DIR=$scratch # otherwise, libwayland reports that the variable is not set
 
 begin() { # STEP WORD...
     "$steps/engine_$1" "${@:2}" >"$scratch/said" 2>&1 &
@@ -138,7 +138,7 @@ begin() { # STEP WORD...
     opens || { sed 's/^/# /' "$scratch/said" && return 1; }
 }
 matches_reference() { cp "tests/references/$1.png" "$scratch/wanted.png" && eventually shown wanted; } # NAME
-# The window, resized to 300x300, must show what the course's program renders at this size.
+# The window, resized to 300x300, must show the picture that the program of chapter 00 renders at this size.
 square() { # SHADER
     "$BUILD/00_first_scene" -s 300x300 -f "$1" -o "$scratch/wanted.png" >/dev/null &&
         wmctrl -i -r "$window" -e 0,-1,-1,300,300 && eventually shown wanted
@@ -155,15 +155,15 @@ check 'step 2 opens a file' begin 2 "$mine"
 check 'step 2 shows the file' square "$sources/2_distance.frag"
 told() { save "$(cat "$scratch/wrong.frag")" && eventually grep -q "^engine: $mine:13: .*rde" "$scratch/said" && shown wanted; }
 sed 's/red, green/rde, green/' "$sources/1_screen.frag" >"$scratch/wrong.frag"
-check 'a mistake is reported, and the last good picture stays' told
+check 'a mistake is reported, and the last good picture remains' told
 follows() { save "$(cat "$sources/1_screen.frag")" && square "$sources/1_screen.frag"; }
 check 'a saved file is shown' follows
 check 'the mistake was reported on one line' [ "$(wc -l <"$scratch/said")" = 1 ]
 check 'the close button ends step 2 with status 0' closes
-check 'if the shader has a mistake at the start, no window opens' fails 1 "^engine: $scratch/wrong.frag:13: " "$steps/engine_2" "$scratch/wrong.frag"
+check 'if the shader has a mistake when step 2 starts, no window opens' fails 1 "^engine: $scratch/wrong.frag:13: " "$steps/engine_2" "$scratch/wrong.frag"
 
 check 'step 3 opens a file' begin 3 "$sources/2_distance.frag"
-check 'step 3 draws a round circle' matches_reference 00_first_scene-step-2
+check 'step 3 draws an undistorted circle' matches_reference 00_first_scene-step-2
 check 'Backspace ends step 3' backspace
 check 'step 3 opens chapter 00' begin 3 chapters/00_first_scene.frag
 changed() { [ "$(off "$1")" != 0 ]; } # NAME
@@ -188,7 +188,7 @@ check 'Backspace ends step 4' backspace
 check 'step 5 opens a scene with a picture' begin 5 "$sources/engine_5.frag" "$plank"
 check 'step 5 shows the wooden floor' matches_reference engine_5
 check 'Backspace ends step 5' backspace
-check 'an OpenGL that is too old is refused' fails 1 '^engine: no window with OpenGL 3.3' env MESA_GL_VERSION_OVERRIDE=3.2 "$steps/engine_1"
+check 'in a window, a version of OpenGL that is too old is refused' fails 1 '^engine: no window with OpenGL 3.3' env MESA_GL_VERSION_OVERRIDE=3.2 "$steps/engine_1"
 
 close_window
 plan

@@ -1,16 +1,17 @@
 #!/bin/bash
-# house.sh - tests the rules of docs/architecture.md: which folders of common/ may use which others, and which files may
-# depend on the system; and that the shaders avoid functions with undefined results.
+# house.sh - tests the rules of docs/architecture.md: which folders of common/ may use which others, which files may
+# depend on the system, and how many files may be directly in common/. It also tests that the shaders avoid functions
+# with undefined results.
 #
-# Which folders use which is checked in two independent ways: from the includes of the sources, and from the symbols
-# that the objects need from each other.
+# The dependencies between the folders are checked in two independent ways: from the includes of the sources, and from
+# the symbols that the objects need from each other.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 open_scratch
 # shellcheck disable=SC2154 # open_scratch sets scratch
 
-# The folders from bottom to top. A folder uses only itself and those below it.
+# The folders from bottom to top. A folder may use only itself and the folders below it.
 rooms='ground context shader picture window command top browser'
 
 # room_of, in awk: the folder of a path in common/. Files directly in common/ are 'ground', except for chapter.c and
@@ -23,7 +24,7 @@ function room_of(path) {
     return path ~ /^chapter(\.|$)/ ? "top" : "ground"
 }'
 
-# Print the arrows "FROM TO" of standard input that lead to a higher folder, or whose folder is unknown.
+# Print the lines "FROM TO" of standard input in which TO is in a higher folder than FROM, or either folder is unknown.
 upwards() {
     awk -v rooms="$rooms" "$room_of"'
         BEGIN { n = split(rooms, name, " "); for (i = 1; i <= n; i++) rank[name[i]] = i }
@@ -41,15 +42,15 @@ find common -name '*.[ch]' | sort >"$scratch/files"
 # shellcheck disable=SC2016 # $0 is awk's
 xargs awk '/^#include "/ { split($0, part, "\""); print FILENAME, "common/" part[2] }' \
     <"$scratch/files" >"$scratch/includes"
-check 'the sources of common/ include each other' [ "$(wc -l <"$scratch/includes")" -gt 50 ]
+check 'the includes between the sources of common/ are found' [ "$(wc -l <"$scratch/includes")" -gt 50 ]
 while read -r from to; do
     [ -e "$to" ] || echo "$from includes $to"
 done <"$scratch/includes" >"$scratch/lost"
 check_empty 'each include in common/ gives the path from common/' "$scratch/lost"
 upwards <"$scratch/includes" >"$scratch/up"
-check_empty 'no include leads upwards' "$scratch/up"
+check_empty 'no file includes a header from a higher folder' "$scratch/up"
 
-# A module is a header and the sources that include it first. No two modules may need each other.
+# A module is a header and the sources that include it first. The includes of the modules must not form a cycle.
 awk '
     !($1 in module) { module[$1] = $1 ~ /\.h$/ ? $1 : $2 }
     { from[NR] = $1; to[NR] = $2 }
@@ -61,13 +62,14 @@ awk '
         }
     }' "$scratch/includes" | sort -u >"$scratch/modules"
 tsort "$scratch/modules" >/dev/null 2>"$scratch/circle"
-check_empty 'no cycle of modules' "$scratch/circle"
+check_empty 'the includes of the modules form no cycle' "$scratch/circle"
 
 # ---- By symbols ----
 
-# Find the symbols that one object needs and another defines. nm -P prints the name, the kind, ...; on macOS, each name
-# begins with a _. Objects without a source, left over from an earlier build, are not read. A source may have no object,
-# because it is for another system or for a library that this machine lacks.
+# List the pairs of objects in which the first needs a symbol that the second defines. nm -P prints the name and the
+# kind of each symbol first; on macOS, each name begins with an underscore. Objects without a source, left over from an
+# earlier build, are not read. A source may have no object, because it is for another system or for a library that this
+# machine lacks.
 grep '\.c$' "$scratch/files" | while read -r file; do
     [ ! -e "$BUILD/${file%.c}.o" ] || nm -P -g "$BUILD/${file%.c}.o" | awk -v module="${file%.c}" '{ print $2, $1, module }'
 done | awk '
@@ -80,37 +82,37 @@ done | awk '
                 print ask[2], home[ask[1]]
         }
     }' | sort -u >"$scratch/calls"
-check 'the objects of common/ need symbols of each other' [ "$(wc -l <"$scratch/calls")" -gt 50 ]
+check 'the calls between the objects of common/ are found' [ "$(wc -l <"$scratch/calls")" -gt 50 ]
 upwards <"$scratch/calls" >"$scratch/up"
-check_empty 'no call leads upwards' "$scratch/up"
+check_empty 'no object needs a symbol from a higher folder' "$scratch/up"
 tsort "$scratch/calls" >/dev/null 2>"$scratch/circle"
-check_empty 'no cycle of calls' "$scratch/circle"
+check_empty 'the calls between the objects form no cycle' "$scratch/circle"
 
 # ---- Systems ----
 
-# Code for one system is in common/platform/. There is one exception: the backend osmesa includes <dlfcn.h>.
+# Code for one operating system is in common/platform/. There is one exception: the backend osmesa includes <dlfcn.h>.
 platform='^common/platform/[a-z_]*\.c:'
 
-# systems_in FILE...: prints the lines that test for a system.
+# systems_in FILE...: prints the lines that test for an operating system.
 systems_in() {
     grep -HnE '^[[:blank:]]*#.*\<(_WIN(32|64)|__(APPLE|MACH|linux|unix|FreeBSD|MINGW32|MINGW64|CYGWIN)__|__unix)\>' "$@"
 }
 
-# headers_in FILE...: prints the lines that include a header of a system, which C11 does not have.
+# headers_in FILE...: prints the lines that include a system header that is not part of C11.
 headers_in() {
     grep -HnE '^[[:blank:]]*#[[:blank:]]*include <(sys/|mach|unistd|fcntl|signal|pthread|dirent|dlfcn|ftw|libgen|poll|pwd|spawn|strings|termios|windows|io\.|GL/)' "$@"
 }
 
 printf '#if defined(__APPLE__) || 0\n#ifdef _WIN32\n#  ifndef __linux__\n// #ifdef\n' >"$scratch/asks.c"
-check 'a test for a system is detected' [ "$(systems_in "$scratch/asks.c" | wc -l)" = 3 ]
+check 'a test for an operating system is detected' [ "$(systems_in "$scratch/asks.c" | wc -l)" = 3 ]
 # shellcheck disable=SC2046 # no name of a source has a blank
 systems_in $(find common chapters docs shaders tests -name '*.[ch]' | sort) | grep -v "$platform" >"$scratch/systems"
-check_empty 'only the files of the platform test for a system' "$scratch/systems"
+check_empty 'only files in common/platform/ test for an operating system' "$scratch/systems"
 # shellcheck disable=SC2046 # no name of a source has a blank
 headers_in $(<"$scratch/files") | grep -v "$platform" |
     grep -v '^common/context/osmesa\.c:[0-9]*:#include <dlfcn\.h>$' >"$scratch/headers"
-check_empty "only the platform includes a system's headers" "$scratch/headers"
-check 'a header of a system is detected' [ "$(headers_in common/platform/posix.c | wc -l)" -gt 2 ]
+check_empty "only common/platform/ and the backend osmesa include system headers" "$scratch/headers"
+check 'system headers are detected' [ "$(headers_in common/platform/posix.c | wc -l)" -gt 2 ]
 
 # The compiler reports a type, a constant or a function that is declared differently in Khronos' header.
 agrees() {
@@ -135,8 +137,8 @@ falling $(find shaders chapters -name '*.glsl' -o -name '*.frag' | sort) >"$scra
 check_empty 'no shader calls smoothstep with falling edges' "$scratch/falling"
 
 # In Mesa 22.3, asin and acos have an error of up to 0.0004 (build/tests/shaders/precision prints the error of this
-# machine's driver), and no specification of GLSL bounds their error. atan(y, x) of two lengths has an error of 3e-6
-# there.
+# machine's driver), and no specification of GLSL bounds their error. atan(y, x), which finds the same angles from two
+# lengths, has an error of only 3e-6 in Mesa 22.3.
 find shaders chapters \( -name '*.glsl' -o -name '*.frag' \) -exec grep -nE '^[^/]*[^a-zA-Z]a(sin|cos)\(' {} + >"$scratch/arcs"
 check_empty 'no shader relies on asin or acos' "$scratch/arcs"
 
@@ -157,7 +159,7 @@ check 'a logarithm is detected' [ "$(edgy "$scratch/edgy.glsl")" = bare ]
 edgy $(find shaders -name '*.glsl' | grep -vE '/(coarse|figure|plot|projection|signs|slice|views).glsl$' | sort) | while read -r name; do
     grep -q "[^A-Za-z]$name(" tests/shaders/edges.frag || echo "$name"
 done >"$scratch/untried"
-check_empty 'every library function that calls one with undefined arguments is in tests/shaders/edges.frag' "$scratch/untried"
+check_empty 'every library function that calls a function with undefined results is in tests/shaders/edges.frag' "$scratch/untried"
 
 # ---- Size ----
 

@@ -28,16 +28,16 @@ marks() { FILES=$1 EXERCISES=$2 CSV=${3-$scratch/marks.csv} .make/marks.sh >"$sc
 row() { grep -q -e "$1" "$scratch/marks.csv" || { sed 's/^/# /' "$scratch/marks.csv"; return 1; }; }
 check 'a class is marked' marks "$class/*/*.frag" '00_2 00_3'
 check 'a row has a mark and a remark for each exercise' row "^\"Zoë \"\"O'Neil\"\"\",right,\"as the solution.*\",right,\"as the solution.*\"$"
-check 'a wrong solution, in a folder whose name a spreadsheet would take for a formula' row "^\"'=cmd()\",wrong,\".* differ .*\",missing,\"\"$"
-check 'the published solution, however its blanks and comments are changed' row '^"copy",copied,"the published solution; '
-check 'the published solution, included' row '^"include",copied,"the published solution; '
-check 'the same text from two students' row '^"twin",copied,"the same text: the other twin, twin; does not run: '
+check 'a wrong solution is marked, and a folder name that a spreadsheet would read as a formula is escaped' row "^\"'=cmd()\",wrong,\".* differ .*\",missing,\"\"$"
+check 'the published solution is recognised, however its blanks and comments are changed' row '^"copy",copied,"the published solution; '
+check 'a file that includes the published solution is recognised' row '^"include",copied,"the published solution; '
+check 'the same text from two students is marked as copied' row '^"twin",copied,"the same text: the other twin, twin; does not run: '
 check "two students' unsolved chapters are not copies" row '^"idle",wrong,".* differ '
 check "two files of one student are not copies" row '^"again",wrong wrong,"does not run'
-check 'a pipe is not waited for' row '^"pipe",wrong,"not a regular file"'
-check 'a file whose name has two lines is reported, and the others are marked' grep -q 'odd/00_2.*the name has a tab or a line break' "$scratch/said"
+check 'a pipe is refused without waiting for it' row '^"pipe",wrong,"not a regular file"'
+check 'a file whose name contains a line break is reported, and the others are marked' grep -q 'odd/00_2.*the name has a tab or a line break' "$scratch/said"
 check 'the table has no other rows' [ "$(wc -l <"$scratch/marks.csv")" = 10 ]
-check 'a file whose name has no exercise is reported' grep -q 'nameless/ball.frag: its name contains none of 00_2 00_3: not marked' "$scratch/said"
+check 'a file whose name contains no exercise is reported' grep -q 'nameless/ball.frag: its name contains none of 00_2 00_3: not marked' "$scratch/said"
 check 'the marks are counted' grep -q '^9 students: 2 right, 5 wrong, 4 copied$' "$scratch/said"
 pictures() {
     grep -q '<td>00_3<td>right' build/marks/index.html &&
@@ -45,18 +45,18 @@ pictures() {
         while read -r picture; do [ -s "build/marks/${picture#src=?}" ] || { echo "# no $picture"; return 1; }; done <"$scratch/pictures"
 }
 check 'every picture on the page exists' pictures
-# The wrong files that have a picture become scenes of make lecture, which must find each file, whatever its name is.
+# The wrong files that have a picture become scenes for make lecture, which must find each file, whatever its name.
 { cat chapters/00_first_scene.frag; echo '#define THEIRS'; } | hand_in "O'Neil \"the\" wrong" 00_2.frag
 beside() {
     marks "$class/*/00_2.frag" 00_2 && grep -q 'N for the next one: make lecture LIST=build/marks/wrong.txt$' "$scratch/said" &&
         build/lecture --print build/marks/wrong.txt >"$scratch/scenes" && [ "$(wc -l <"$scratch/scenes")" = 3 ] &&
         [ "$(grep -c 'frag. --compare chapters/solutions/00_first_scene_2.frag .*, on the left: .* differ ' "$scratch/scenes")" = 3 ]
 }
-check 'the wrong pictures are scenes for make lecture' beside || sed 's/^/# /' "$scratch/said" "$scratch/scenes"
+check 'the wrong pictures are listed as scenes for make lecture' beside || sed 's/^/# /' "$scratch/said" "$scratch/scenes"
 to_full() { ! build/lecture --print build/marks/wrong.txt 2>"$scratch/said" >/dev/full && grep -q '^standard output: cannot be written' "$scratch/said"; }
 [ ! -w /dev/full ] || check 'scenes that cannot be printed are reported' to_full
-# The judge, a child of marks.sh, must end with it; otherwise, the judge would go through all files. A process that has
-# ended has no folder in /proc.
+# The judge, a child of marks.sh, must end with marks.sh; otherwise, it would judge all remaining files. A process that
+# has ended has no folder in /proc.
 interrupted() {
     local marks judge
     rm -rf build/marks
@@ -72,16 +72,16 @@ interrupted() {
 }
 [ ! -r "/proc/$$/task/$$/children" ] || check 'the judge ends with marks.sh' interrupted
 one_folder() { cp "$class/copy/00_2.frag" "$scratch/ada_00_2.frag" && marks "$scratch/*.frag" 00_2 && row '^"ada",copied,'; }
-check 'in a single folder, the file is named after the student' one_folder
+check "in a single folder, the student's name is taken from the name of the file" one_folder
 refuses() { # WORDS FILES EXERCISES CSV
     marks "${@:2}"
     [ $? = 2 ] && [ "$(wc -l <"$scratch/said")" = 1 ] && grep -q -e "$1" "$scratch/said"
 }
 refuses_late() { marks "$class/copy/*.frag" 00_2 /dev/full; [ $? = 2 ] && [ "$(tail -n 1 "$scratch/said")" = 'make: /dev/full or build/marks/index.html: cannot be written: is the disk full?' ]; }
-check 'no exercise' refuses 'which exercises' x ''
-check 'an exercise without a solution' refuses 'EXERCISES: 00_9: no solution' x '00_2 00_9'
-check 'no file' refuses 'which files' '' 00_2
-check 'a pattern that matches no file' refuses 'no file has such a name' "$class/eve/*" 00_2
-[ ! -w /dev/full ] || check 'a table on a full disk' refuses_late
-check 'a table that cannot be written' refuses 'CSV=/: cannot be written' "$class/copy/*.frag" 00_2 /
+check 'a command without exercises is refused' refuses 'which exercises' x ''
+check 'an exercise without a solution is refused' refuses 'EXERCISES: 00_9: no solution' x '00_2 00_9'
+check 'a command without files is refused' refuses 'which files' '' 00_2
+check 'a pattern that matches no file is refused' refuses 'no file has such a name' "$class/eve/*" 00_2
+[ ! -w /dev/full ] || check 'a full disk is reported after the marking' refuses_late
+check 'a table that cannot be written is refused' refuses 'CSV=/: cannot be written' "$class/copy/*.frag" 00_2 /
 plan

@@ -13,8 +13,9 @@
 
 // ---- Chance ----
 
-// Each flipped input bit flips each output bit in about half of the cases: 1024 cases have a
-// standard deviation of 16, and the 32 x 96 counts stay within five of these.
+// Each flipped input bit flips each output bit in about half of the cases. The count over 1024
+// cases has a standard deviation of 16, and all 32 x 96 counts stay within five standard
+// deviations.
 TEST(every_bit_matters)
 {
     enum { CASES = 1024 };
@@ -35,7 +36,7 @@ TEST(every_bit_matters)
 }
 
 // The mean of n numbers uniformly distributed in [0, 1) is 1/2, with a standard deviation of
-// 1/sqrt(12 n); the test allows four of these.
+// 1/sqrt(12 n); the test allows four standard deviations.
 TEST(random_numbers_have_the_right_mean)
 {
     enum { SIDE = 256 };
@@ -50,7 +51,8 @@ TEST(random_numbers_have_the_right_mean)
 
 // ---- Patterns ----
 
-// A random coordinate in [0, 1) that a double represents exactly, as it does one period farther on.
+// A random multiple of 2^-20 in [0, 1). A double represents it exactly, and also the coordinates
+// one period away.
 static double coordinate(int i, uint32_t seed)
 {
     return (double)(paint_hash(i, 0, seed) >> 12) / 1048576.0;
@@ -76,8 +78,8 @@ TEST(patterns_have_the_period_1)
 
 // ---- The pictures ----
 
-// The number of slices of a picture as a volume, whose square slices are one below the other; 1 for
-// any other picture.
+// The number of slices if the picture is a volume, whose square slices are one below the other. Any
+// other picture has one slice.
 static int slices_of(const struct image *image)
 {
     return image->height > image->width && image->height % image->width == 0
@@ -109,7 +111,7 @@ static double step_across(const struct image *image, int axis, int at)
     return sum / (3.0 * size[a] * size[b]);
 }
 
-// True if the step from the last layer to the first is no larger than the largest step inside.
+// True if the step from the last layer to the first is no larger than the largest other step.
 static bool repeats(const struct image *image, int axis)
 {
     int slices = slices_of(image), size[3] = {image->width, image->height / slices, slices};
@@ -129,8 +131,8 @@ static struct image cropped(const struct image *image, int width)
     return part;
 }
 
-// Assert that a PNG has 8 bits per channel, is grey, RGB or RGBA, and is not interlaced; every
-// reader of PNG supports this.
+// Assert that a PNG has 8 bits per channel, is grey, RGB or RGBA, and is not interlaced. Every PNG
+// reader supports such a file.
 static void assert_plain(const char *path)
 {
     unsigned char head[29];
@@ -143,8 +145,8 @@ static void assert_plain(const char *path)
     assert_int_equal(head[28], 0);
 }
 
-// True for a table, which does not repeat: the first comment of its program says that it is read
-// with clamp.
+// True if a picture is a table that does not repeat: the first comment of its program says that the
+// table is read with clamp.
 static bool is_clamped(const char *path)
 {
     char source[256], line[256];
@@ -167,11 +169,11 @@ static void look_at(const char *path)
     assert_true(image_read_png(&image, path));
     for (int axis = 0; axis < 3; axis++)
         if (!repeats(&image, axis))
-            fail_msg("%s has a seam, axis %d", path, axis);
-    // A picture that does not repeat is detected.
+            fail_msg("%s has a seam across axis %d", path, axis);
+    // A picture that does not repeat must be detected.
     struct image part = cropped(&image, image.width - image.width / 10);
     if (slices_of(&image) == 1 && repeats(&part, 0))
-        fail_msg("%s: no seam is detected where a tenth is cut off", path);
+        fail_msg("%s: no seam is detected after a tenth of the width is cut off", path);
     image_free(&part);
     image_free(&image);
 }

@@ -1,7 +1,8 @@
 #!/bin/bash
 # portable.sh - tests that the commands that a reader types also run on a Mac, with bash 3.2, GNU make 3.81, and the
-# awk, sed and grep of the BSDs. The suite searches the scripts for words that these lack. It also runs the commands
-# with the BSDs' awk and with busybox instead of GNU's tools, and compares the results.
+# awk, sed and grep of the BSDs. The suite searches the scripts for words that these tools lack. It also runs the
+# commands with the BSDs' awk and with busybox instead of GNU's tools, and compares the results. Other tests cover line
+# endings, a Mac's compiler, and the requests of setup.sh on a Mac and on Windows.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -65,8 +66,8 @@ check 'the Makefile contains no such word' [ ! -s "$scratch/words" ] || sed 's/^
 
 # ---- Line endings ----
 
-# Test a checkout by a git that is set to write carriage returns, as its installer for Windows proposes: `make` and the
-# scripts would break on them.
+# Clone the files with a git that is set to write carriage returns, as its installer for Windows proposes. `make` and
+# the scripts would fail on carriage returns.
 kept_by_git() {
     local git=(git -c core.autocrlf=true -c core.eol=crlf -c core.safecrlf=false -c user.name=t -c user.email=t@t)
     mkdir "$scratch/ours" && cp -R .gitattributes Makefile .make chapters tests/lib/tap.sh "$scratch/ours" &&
@@ -76,15 +77,15 @@ kept_by_git() {
     "${git[@]}" clone -q "$scratch/ours" "$scratch/theirs" && rm -rf "$scratch"/*/.git
 }
 if command -v git >/dev/null; then
-    check "a checkout by a git that writes Windows' line endings" kept_by_git
-    check 'the checkout has the same bytes' diff -rq "$scratch/ours" "$scratch/theirs"
+    check "a git that writes Windows' line endings can clone the files" kept_by_git
+    check 'the clone has the same bytes' diff -rq "$scratch/ours" "$scratch/theirs"
 else
-    skip "a checkout by a git that writes Windows' line endings" 'no git on this machine'
+    skip "a git that writes Windows' line endings can clone the files" 'no git on this machine'
 fi
 
 # ---- A Mac's compiler ----
 
-# Compile the code behind __APPLE__, with the names of Apple's C library; nothing else compiles this code here.
+# Compile the code for __APPLE__, with stand-ins for Apple's C library. Nothing else compiles this code here.
 mkdir -p "$scratch/apple/mach-o"
 printf '#include <stdint.h>\nint _NSGetExecutablePath(char *path, uint32_t *size);\n' >"$scratch/apple/mach-o/dyld.h"
 apple() { # FILE...
@@ -94,7 +95,7 @@ apple() { # FILE...
             -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -fsyntax-only "$file" || return
     done
 }
-# Build a whole program with a Mac's compiler and feature macros, and with GLFW, the only source of a context there. The
+# Build a whole program with a Mac's compiler and feature macros, and with GLFW, which is the only backend on a Mac. The
 # program is not optimised, to save time.
 mac_build() {
     env -u MAKEFLAGS CI=1 make -j2 MAC=Darwin CC=clang CFLAGS=-O0 BUILD=build/mac build/mac/03_shadows >"$scratch/mac" 2>&1 && return
@@ -109,7 +110,7 @@ mac_picture() ( # on a display that is closed afterwards
     exit $status
 )
 if command -v clang >/dev/null; then
-    check "the code of the platform compiles for a Mac's C library" apple common/platform/posix*.c
+    check "the code of common/platform/ compiles for a Mac's C library" apple common/platform/posix*.c
     check "a program builds with clang, a Mac's macros and only GLFW" mac_build
     if command -v Xvfb >/dev/null; then
         check 'the program renders to a file with a hidden window' mac_picture
@@ -123,7 +124,7 @@ fi
 # ---- Tools ----
 
 if ! command -v original-awk >/dev/null || ! command -v busybox >/dev/null; then
-    skip "the commands with other tools than GNU's" 'no original-awk or no busybox: make setup'
+    skip "the commands with tools other than GNU's" 'no original-awk or no busybox: make setup installs them'
     plan
     exit
 fi
@@ -134,8 +135,8 @@ for tool in awk basename cat cmp comm cp cut dirname grep head ls mkdir mktemp m
     ln -s "$(command -v busybox)" "$scratch/busybox/$tool"
 done
 
-# answer TOOLS COMMAND...: prints the output and the status of a command that finds the tools of this folder before
-# GNU's.
+# answer TOOLS COMMAND...: prints the output and the status of a command. TOOLS is gnu, or bsd or busybox, whose tools
+# the command then finds before GNU's.
 answer() {
     local path=$PATH
     [ "$1" = gnu ] || path=$scratch/$1:$PATH
@@ -178,7 +179,7 @@ check 'make check reported a pixel' grep -q 'your pixel' <(answer bsd checks)
 
 # ---- What setup.sh requests on a Mac ----
 
-# A Mac as setup.sh sees it: it has a compiler, and nothing else that the course needs.
+# A Mac as setup.sh sees it. It has a compiler, but nothing else that the course needs.
 mkdir -p "$scratch/macos" "$scratch/homebrew/include/stb"
 for tool in sh cut printf tr sort; do ln -s "$(command -v $tool)" "$scratch/macos/$tool"; done
 on_mac() { printf '#!/bin/sh\n%s\n' "$2" >"$scratch/macos/$1" && chmod +x "$scratch/macos/$1"; } # TOOL COMMAND
@@ -203,7 +204,7 @@ check "a Mac is then asked for Homebrew's packages, including those of the tests
 
 # ---- Windows ----
 
-# A shell on Windows as setup.sh sees it: it is MSYS2's, with pacman and nothing else that the course needs.
+# A shell on Windows as setup.sh sees it. It is MSYS2's shell, with pacman but nothing else that the course needs.
 mkdir "$scratch/windows"
 for tool in sh cut printf uname tr sort; do ln -s "$(command -v $tool)" "$scratch/windows/$tool"; done
 printf '#!/bin/sh\nexit 1\n' >"$scratch/windows/pacman" && chmod +x "$scratch/windows/pacman"
@@ -217,5 +218,5 @@ other() { lacks MINGW64 && grep -q "shell 'MSYS2 UCRT64'.*MINGW64" "$scratch/lac
 check 'setup.sh names the right shell in another shell of MSYS2' other
 builds() { make -n OS=Windows_NT programs >"$scratch/builds" && grep -q 'build/00_first_scene\.exe .*/platform/windows_main\.o .*-municode' "$scratch/builds"; }
 check 'on Windows, make builds programs for Windows' builds
-check 'these contain no code for another system' [ "$(grep -cE 'platform/posix|context/(egl|osmesa)\.o' "$scratch/builds")" = 0 ]
+check 'the programs for Windows contain no code for another system' [ "$(grep -cE 'platform/posix|context/(egl|osmesa)\.o' "$scratch/builds")" = 0 ]
 plan

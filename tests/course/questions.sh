@@ -1,7 +1,7 @@
 #!/bin/bash
 # questions.sh - tests docs/questions.txt: five questions for each chapter, whose right answers cannot be guessed from
 # their position or length. It also reads back the files that `make questions` writes, with parsers of GIFT and of XML.
-# shellcheck disable=SC2154,SC2016 # open_scratch sets scratch; a dollar is awk's or GIFT's
+# shellcheck disable=SC2154,SC2016 # open_scratch sets scratch; the dollar signs are awk's or GIFT's
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -13,8 +13,8 @@ check_empty() { # NAME FILE
 
 # ---- The source ----
 
-# Write a line for each question: its number, how many answers it has, and the positions of the right answer and of the
-# longest one.
+# Write a line for each question: its number, its count of answers, and the positions of the right answer and of the
+# longest answer.
 awk '
     function done() { if (id != "") print id, n, right, longest; n = right = most = 0 }
     /^## / { done(); id = $2 }
@@ -66,7 +66,7 @@ said_by_gift() { # FILE
         }' "$1"
 }
 
-# Print the contents of an XML file, read tag by tag: each tag that is opened must be closed, the last one first.
+# Print the contents of an XML file, read tag by tag. The opened tags must be closed in reverse order.
 said_by_xml() { # FILE
     awk 'BEGIN { RS = "<" }
         NR == 1 || /^\?/ { next }
@@ -103,11 +103,11 @@ reads_back() { # SOURCE FORM
 check 'make questions writes two files' writes docs/questions.txt
 said_by_source docs/questions.txt >"$scratch/source"
 check 'the source has 110 questions or more' [ "$(grep -c '^question' "$scratch/source")" -ge 110 ]
-check 'GIFT has the contents of the source' reads_back docs/questions.txt gift
-check "Moodle's XML has the contents of the source" reads_back docs/questions.txt xml
+check 'the GIFT file has the contents of the source' reads_back docs/questions.txt gift
+check "Moodle's XML file has the contents of the source" reads_back docs/questions.txt xml
 categories() { [ "$(grep -c "$1" "$scratch/written/ray-marching.$2")" = "$(find docs -name '[0-9][0-9]_*.md' | wc -l)" ]; }
-check 'GIFT has a category for each chapter' categories '^\$CATEGORY: \$course\$/Ray marching/[0-9][0-9] ' gift
-check 'XML has a category for each chapter' categories 'type="category">.*Ray marching/[0-9][0-9] ' xml
+check 'the GIFT file has a category for each chapter' categories '^\$CATEGORY: \$course\$/Ray marching/[0-9][0-9] ' gift
+check 'the XML file has a category for each chapter' categories 'type="category">.*Ray marching/[0-9][0-9] ' xml
 
 # Characters with a special meaning in GIFT, in XML or in awk.
 cat >"$scratch/signs.txt" <<'END'
@@ -130,10 +130,10 @@ check 'a good question is accepted' eval "printf '$good' >'$scratch/good.txt' &&
 refuses 'no right answer' '00.1 needs one right' "${good/+ b/- b // c}"
 refuses 'a wrong answer without a reason' 'bad.txt:3: a wrong answer has its reason' "${good/ \/\/ d/}"
 refuses 'a reason for the right answer' 'bad.txt:2: .* the right one has none' "${good/+ b/+ b // c}"
-refuses 'one wrong answer' '00.1 needs' "${good/- e \/\/ f\\n/}"
+refuses 'only one wrong answer' '00.1 needs' "${good/- e \/\/ f\\n/}"
 refuses 'a number that occurs twice' 'bad.txt:5: .* each number occurs once' "$good$good"
 refuses 'a chapter that does not exist' 'chapter 77 has no page' "${good/00.1/77.1}"
-refuses 'a line of another kind' 'bad.txt:5: this is neither' "${good}so\n"
+refuses 'a line of no known kind' 'bad.txt:5: this is neither' "${good}so\n"
 absent() { ! writes "$scratch/absent.txt" && grep -q "no such file" "$scratch/said"; }
 check "refused: no such file" absent
 plan

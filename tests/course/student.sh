@@ -1,6 +1,6 @@
 #!/bin/bash
 # student.sh - tests `make student`: the course for students has no solutions and no answers, its links work, and `make
-# check` judges in it as in the whole course. For this test, only two exercises are stored.
+# check` gives the same verdicts there as in the whole course. For this test, only two exercises are stored.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -22,7 +22,7 @@ chapters=$(find docs -name '[0-9][0-9]_*.md' | wc -l)
 
 # ---- What is in it ----
 
-check 'the history of the folder is kept, and nothing else' [ -e "$course/.git/kept" -a ! -e "$course/docs/stale.md" ]
+check 'the history of the folder is kept, but no stale file' [ -e "$course/.git/kept" -a ! -e "$course/docs/stale.md" ]
 
 check 'the course for students has the pages of all chapters' [ "$(find "$course/docs" -name '[0-9][0-9]_*.md' | wc -l)" = "$chapters" ]
 find "$course" -path '*solutions*' -o -name 'teaching.md' -o -name 'questions.txt' -o -name 'answers.txt' >"$scratch/found"
@@ -33,7 +33,7 @@ hints() { cat "$@" | grep -c '<summary>Hint'; }
 check 'the hints remain' [ "$(hints "$course"/docs/*.md)" = "$(hints docs/*.md)" ]
 exercises() { cat "$@" | grep -cE '^\*\*[0-9]+\. \((easy|medium|hard)\)'; }
 check 'the exercises remain' [ "$(exercises "$course"/docs/*.md)" = "$(exercises docs/*.md)" ]
-# Print the long lines of the solutions that are in no other file of the course.
+# Print the long lines of the solutions that are in no other shader and on no page outside a fold.
 own_lines() {
     cat chapters/solutions/*.frag | grep -E '^    ' | sort -u >"$scratch/lines"
     find chapters shaders \( -name '*.frag' ! -path '*solutions*' -o -name '*.glsl' \) -exec cat {} + >"$scratch/others"
@@ -42,7 +42,7 @@ own_lines() {
 }
 own_lines >"$scratch/own"
 grep -rnFf "$scratch/own" "$course" --include='*.frag' --include='*.md' --include='*.glsl' --include='*.txt' >"$scratch/found"
-check 'there are lines that only a solution has' [ "$(wc -l <"$scratch/own")" -gt 100 ]
+check 'more than 100 long lines are only in solutions' [ "$(wc -l <"$scratch/own")" -gt 100 ]
 check_empty 'no line of a solution remains' "$scratch/found"
 for page in "$course"/README.md "$course"/docs/*.md; do
     # shellcheck disable=SC2016 # the backticks are Markdown's
@@ -50,7 +50,7 @@ for page in "$course"/README.md "$course"/docs/*.md; do
         [ -e "$(dirname "$page")/$target" ] || echo "${page#"$course/"}: $target"
     done
 done >"$scratch/found"
-check_empty 'the target of every link and every picture on its pages exists' "$scratch/found"
+check_empty 'the target of every link and every picture in the course for students exists' "$scratch/found"
 grep -n 'solutions/' "$course/tests/pictures/images.txt" >"$scratch/found"
 check_empty 'the gallery renders no picture of a solution' "$scratch/found"
 check 'the course for students has a dev container, a workflow and a folder for answers' [ -e "$course/.devcontainer/devcontainer.json" -a -e "$course/.github/workflows/check.yml" -a -x "$course/answers/check.sh" ]
@@ -70,9 +70,9 @@ judged() { # EXERCISE FILE WORDS STATUS
 right=chapters/solutions/00_first_scene_2.frag
 { cat $right; echo '#define MINE'; } >"$scratch/mine.frag"
 check 'a right answer is accepted' judged 00_2 "$scratch/mine.frag" ': right: as the solution in 2 pictures' 0
-check 'the published solution is named' judged 00_2 "$root/$right" ': right: the published solution; as the solution' 0
+check 'the published solution is recognised' judged 00_2 "$root/$right" ': right: the published solution; as the solution' 0
 echo '#include "solutions/00_first_scene_2.frag"' >"$scratch/includes.frag"
-check 'an answer that includes the published solution is named too, although that file cannot be found' judged 00_2 "$scratch/includes.frag" ': wrong: the published solution; does not run' 1
+check 'an answer that includes the published solution is recognised too, although the solution cannot be found' judged 00_2 "$scratch/includes.frag" ': wrong: the published solution; does not run' 1
 sed 's/0.5 \* Time/Time/' $right >"$scratch/wrong.frag"
 check 'a wrong answer is refused' judged 00_2 "$scratch/wrong.frag" ': wrong: .* most around ' 1
 check 'the colour of the right picture is printed' grep -q "the solution's: colour: [0-9]*, [0-9]*, [0-9]*$" "$scratch/said"

@@ -1,6 +1,6 @@
 #!/bin/bash
-# textures.sh - tests that each texture of shaders/textures/ is what its program draws, to the last bit of each pixel,
-# and that none is too large. tests/course/paint.c checks that the pictures repeat.
+# textures.sh - tests that the pixels of each texture in shaders/textures/ are exactly those that its program draws, and
+# that no texture is too large. tests/course/paint.c checks that the pictures repeat.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -40,7 +40,7 @@ at_most() { [ "$1" -gt 0 ] && [ "$1" -le "$2" ]; }
 
 names | xargs -P 2 -I % bash -c 'draw %'
 for name in $(names); do
-    check "$name.png is what its program draws: make textures" same "shaders/textures/$name.png" "$scratch/$name.png"
+    check "$name.png is the output of its program (make textures renews it)" same "shaders/textures/$name.png" "$scratch/$name.png"
     check "$name.png takes at most 512 KiB" at_most "$(bytes_of "shaders/textures/$name.png")" $one_limit
 done
 check "there are at least five textures" [ "$(names | wc -l)" -ge 5 ]
@@ -59,7 +59,7 @@ check "every texture has a program" alone shaders/textures
 lonely() { ! alone "$scratch" >/dev/null; }
 check "a texture without a program is detected" lonely
 
-# A picture with one changed pixel must not be taken for the same.
+# A picture with one changed pixel must be recognised as different.
 other() {
     convert "shaders/textures/$1.png" -fill '#7f7f7f' -draw 'point 17,23' "$scratch/other.png" || return
     ! same "shaders/textures/$1.png" "$scratch/other.png"

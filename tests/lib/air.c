@@ -18,8 +18,8 @@ static const double weight[NODES] = {0.085662246189585172, 0.18038078652406930,
 
 static const double earth = 6371.0;
 
-// Columns of air, dust and ozone, as multiples of the vertical columns; also their densities, as
-// multiples per km.
+// Columns of air, dust and ozone, as multiples of the vertical columns; or their densities, as
+// multiples of the vertical columns per km.
 struct column {
     double of[3];
 };
@@ -39,7 +39,7 @@ static double height_of(double lowest, double along)
 
 // Add the columns along a straight line between two distances from its lowest point, in pieces of
 // increasing length.
-//   lowest  radius at the lowest point of the line
+//   lowest  the radius at the lowest point of the line
 static void add_between(struct column *sum, double lowest, double from, double to, int pieces)
 {
     for (int i = 0; i < pieces; i++) {
@@ -54,8 +54,8 @@ static void add_between(struct column *sum, double lowest, double from, double t
     }
 }
 
-// Find the columns from a point at a radius towards the sun. Returns false if the Earth is in the
-// way.
+// Find the columns from a point at a radius towards the sun. Returns false if the Earth hides the
+// sun.
 static bool to_the_sun(double radius, double sine, double tall, struct column *sum)
 {
     double lowest = radius * sqrt(fmax(1.0 - sine * sine, 0.0)), from = radius * sine;
@@ -77,10 +77,10 @@ static double depth(int wave, int kind)
                        : air_waves[wave].ozone * 1e-25 * 300.0 * 2.687e20;
 }
 
-// The share of the sun's light that reaches the eye from a point, for each wavelength, after the
-// losses on the way to the point and from the point to the eye. It is a mean over horizontal strips
-// of the disc that are above the horizon; the disc is as dark at its rim as a ball lit from the
-// eye. Far from the horizon, the disc is treated as a point.
+// Add the share of the sun's light that reaches the eye through a point, for each wavelength, after
+// the losses from the sun to the point and from the point to the eye. The sun's disc is divided
+// into horizontal strips, and strips below the horizon add nothing. The disc is darker towards its
+// rim, like a matt ball lit from the eye. Far from the horizon, the disc is treated as a point.
 static void lit(double radius, double sine, double tall, struct column past, double ozone,
                 double share[AIR_WAVES])
 {
@@ -116,7 +116,7 @@ void air_light_of(double sun, double view, double azimuth, double ozone, double 
     double length = out / (sqrt(climb * climb + out) + climb),
            lowest = earth * sqrt(1.0 - view * view);
     double shares[AIR_WAVES] = {0.0}, seen = 0.0;
-    struct column past = {{0.0, 0.0, 0.0}}; // from the eye to the current point
+    struct column past = {{0.0, 0.0, 0.0}}; // the columns from the eye to the current point
     for (int i = 0; i < VIEW_PIECES; i++) {
         double a = (double)i / VIEW_PIECES, b = (i + 1.0) / VIEW_PIECES;
         double begin = length * a * a, size = length * b * b - begin;
@@ -163,7 +163,7 @@ void air_all_of(double sun, double view, double azimuth, double ozone, double li
 
 // ---- By chance ----
 
-// A random number in (0, 1) from a generator of G. Marsaglia, 'Xorshift RNGs' (2003).
+// A random number in (0, 1), using a generator from G. Marsaglia, 'Xorshift RNGs' (2003).
 static double chance(uint64_t *state)
 {
     *state ^= *state << 13;
@@ -200,7 +200,7 @@ static double phase_of(double air, double dust, double c)
     return (air * of_air + dust * of_dust) / (air + dust);
 }
 
-// The cosine of a random scattering angle, from the law of air or that of dust.
+// The cosine of a random scattering angle, drawn from the phase function of air or that of dust.
 static double cosine_by(double air, double dust, uint64_t *state)
 {
     double x = chance(state), g = forward;
@@ -223,7 +223,8 @@ static double sunlight_at(const double p[3], const double sun[3], int wave)
                depth(wave, 2) * beyond.of[2]);
 }
 
-// The length of a ray to the ground or, if it does not land, to the top of the air.
+// The length of a ray to the ground or, if the ray does not reach the ground, to the top of the
+// air.
 static double way_of(const double p[3], const double v[3], bool *lands)
 {
     double b = dot(p, v), square = dot(p, p), ground = b * b - square + earth * earth;
@@ -232,8 +233,8 @@ static double way_of(const double p[3], const double v[3], bool *lands)
                   : sqrt(b * b - square + (earth + 120.0) * (earth + 120.0)) - b;
 }
 
-// How far a path goes from a point before it is scattered or reaches the ground. A path that would
-// leave the air counts for less.
+// The distance that a path covers from a point until it is scattered or reaches the ground.
+//   share  is multiplied by the probability of a scattering if the ray leads out of the air
 static double flight(const double p[3], const double v[3], int wave, uint64_t *state, bool *ground,
                      double *share)
 {
@@ -241,7 +242,7 @@ static double flight(const double p[3], const double v[3], int wave, uint64_t *s
     bool lands;
     double way = way_of(p, v, &lands), low = fmin(fmax(-dot(p, v), 0.0), way), depths[STEPS + 1];
     double at[STEPS + 1], passed = 0.0;
-    for (int i = 0; i <= STEPS; i++) { // close together where the ray is lowest
+    for (int i = 0; i <= STEPS; i++) { // the steps are shortest where the ray is lowest
         double x = 2.0 * i / STEPS - 1.0, part = x < 0.0 ? low : way - low;
         at[i] = low > 0.0 ? low + part * x * fabs(x) : way * i / STEPS * i / STEPS;
     }
@@ -256,7 +257,7 @@ static double flight(const double p[3], const double v[3], int wave, uint64_t *s
         depths[i + 1] = passed;
     }
     double all = 1.0 - exp(-passed), x = chance(state);
-    if (!lands) // every path that would leave the air is scattered instead, and counts for less
+    if (!lands) // a path that would leave the air is scattered instead
         *share *= all;
     double target = -log(1.0 - x * (lands ? 1.0 : all));
     *ground = lands && target >= passed;
@@ -269,8 +270,8 @@ static double flight(const double p[3], const double v[3], int wave, uint64_t *s
     return t;
 }
 
-// Follow one path backwards from the eye, and add the sunlight that arrives along it: after one
-// scattering to arrived[0], and after more to arrived[1].
+// Follow one path backwards from the eye, and add the sunlight that arrives along it: the light
+// that the air scatters once to arrived[0], and all other light to arrived[1].
 static void follow(double view, double azimuth, const double sun[3], double albedo, int wave,
                    uint64_t *state, double arrived[2])
 {
@@ -300,7 +301,8 @@ static void follow(double view, double azimuth, const double sun[3], double albe
                 share * phase_of(air, dust, dot(v, sun)) * sunlight_at(p, sun, wave);
             turned(v, cosine_by(air, dust, state), state);
         }
-        if (share < 0.1) { // most dim paths end; the others also represent these
+        if (share <
+            0.1) { // Russian roulette: most dim paths end, and the others get a larger share
             if (share <= 0.0 || chance(state) > share / 0.1)
                 return;
             share = 0.1;

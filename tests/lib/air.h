@@ -7,7 +7,7 @@
 // The light that arrives from a direction after one scattering, in the unit of the tables, 4,000
 // cd/m^2. Values that a screen cannot show are not clamped.
 //   sun, view, azimuth  as for air_scattered in shaders/textures/air.h
-//   ozone               1, or 0 for none
+//   ozone               amount of ozone; 1 is 300 Dobson units, 0 is none
 //   tall                the height of the air, km
 void air_light_of(double sun, double view, double azimuth, double ozone, double tall,
                   double light[3]);
@@ -20,16 +20,16 @@ void air_all_of(double sun, double view, double azimuth, double ozone, double li
 // directions, weighted by the sine of their height.
 void air_ambient_of(double sun, double light[3]);
 
-// The light of a direction from random paths. They are followed backwards from the eye through the
-// air of a round Earth, scattered in random directions by the true laws of air and dust until
-// hardly any light is left, and lit by the sun at every scattering. The results are shares of the
-// sunlight above the air, per steradian.
-//   albedo  of the ground, in [0, 1]
+// The light from a direction, estimated with random paths. They are followed backwards from the eye
+// through the air of a round Earth, scattered in random directions by the phase functions of air
+// and dust until hardly any light is left, and lit by the sun at every scattering. The results are
+// shares of the sunlight above the air, per steradian.
+//   albedo  albedo of the ground, in [0, 1]
 //   wave    index into air_waves
-//   count   of paths
+//   count   number of paths
 struct air_paths {
-    double once, more; // scattered once, and more than once
-    double error;      // of the light scattered more than once: its standard deviation
+    double once, more; // scattered once by the air; scattered more than once or by the ground
+    double error;      // standard deviation of more
 };
 struct air_paths air_paths(double sun, double view, double azimuth, double albedo, int wave,
                            int count);

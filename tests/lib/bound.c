@@ -15,7 +15,7 @@
 enum {
     WIDTH = 640,
     HEIGHT = 360,
-    PARTS = 64 // samples from one step of a march to the next
+    PARTS = 64 // samples per step of a march
 };
 
 #define HALF_PIXEL (1.0 / (HEIGHT * MIRROR_FOCAL_LENGTH))

@@ -9,7 +9,7 @@
 
 struct bound_case {
     const char *stem;
-    const struct mirror_scene *scene; // its distance in double precision
+    const struct mirror_scene *scene; // the chapter's scene, in double precision
     double threshold, spread;         // a distance at t below threshold + spread t is a hit
 };
 
@@ -19,11 +19,11 @@ extern const int bound_case_count;
 // Sums over rays.
 struct bound_sums {
     int rays, march;      // the number of rays, and the evaluations of their marches
-    int least, most;      // lower and upper bound on the fewest evaluations that would be enough
+    int least, most;      // bounds on the fewest evaluations that would be enough
     int shader;           // the fewest evaluations, as computed by shaders/cover.glsl
-    int astray;           // rays for which the shader's number is outside the bounds
+    int astray;           // rays for which the shader's count is outside the bounds
     int below;            // rays whose march takes fewer evaluations than the lower bound
-    double smallest;      // the smallest ratio of march and lower bound for one ray
+    double smallest;      // the smallest ratio, for one ray, of the march to the lower bound
     double lipschitz;     // the largest change of the distance between samples, per scene unit
     int given_up, differ; // rays that ran out of steps; rays whose drawn step count differs from
                           // that of the probe
@@ -35,8 +35,7 @@ struct bound_sums {
 // Fails the test, or ends the program, if the picture cannot be drawn.
 void bound_measure(const struct bound_case *of, int every, struct bound_sums sums[2]);
 
-// March one ray on the GPU, in tests/shaders/cover.frag, with the parameters that this file
-// declares.
+// March one ray on the GPU, in tests/shaders/cover.frag. The parameters are those of that shader.
 //   answer  receives the steps of the march, and the fewest possible steps as computed by
 //           shaders/cover.glsl
 // Fails the test if the ray cannot be drawn.

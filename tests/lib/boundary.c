@@ -59,7 +59,7 @@ static double apart(struct d2 p, const struct piece *piece, double u)
     return hypot(p.x - at.x, p.y - at.y);
 }
 
-// The distance to a piece: start at the nearest of its samples, and use golden-section search.
+// The distance to a piece, from a golden-section search that starts at the nearest sample.
 static double piece_distance(struct d2 p, const struct piece *piece)
 {
     const double golden = 0.6180339887498949;

@@ -1,11 +1,11 @@
-// boundary.h - for tests of figures in the plane: a boundary made of pieces, and the distance to
-// it, found by a search in double precision.
+// boundary.h - a boundary in the plane, made of pieces, and the distance to it, found by a search
+// in double precision, for tests of figures.
 #ifndef TESTS_BOUNDARY_H
 #define TESTS_BOUNDARY_H
 
 #include <stdbool.h>
 
-#define BOUNDARY_MOST 48 // pieces
+#define BOUNDARY_MOST 48 // the largest number of pieces
 
 struct d2 {
     double x, y;
@@ -28,8 +28,8 @@ struct boundary {
 // The point at the fraction u of the part of a piece that belongs to the boundary.
 struct d2 boundary_at(const struct piece *piece, double u);
 
-// Each of these adds pieces to a boundary: a segment; an arc of an ellipse or of a circle, between
-// two angles in radians; the sides of a closed polygon.
+// Each of these functions adds pieces to a boundary: a segment; an arc of an ellipse or of a
+// circle, between two angles in radians; or the sides of a closed polygon.
 void boundary_add_segment(struct boundary *of, struct d2 a, struct d2 b);
 void boundary_add_ellipse(struct boundary *of, struct d2 centre, struct d2 axes, double from,
                           double to);
@@ -37,8 +37,8 @@ void boundary_add_arc(struct boundary *of, double x, double y, double radius, do
                       double to);
 void boundary_add_polygon(struct boundary *of, const double (*corner)[2], int count);
 
-// The distance to the nearest point. For each piece, start at the nearest of 17 samples and use
-// golden-section search.
+// The distance from p to the nearest point of a boundary. For each piece, a golden-section search
+// starts at the nearest of 17 samples.
 double boundary_distance(struct d2 p, const struct boundary *of);
 
 // The winding number of a polygon around p: the sum of the signed angles that its sides subtend

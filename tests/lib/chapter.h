@@ -8,10 +8,10 @@
 enum { CHAPTER_WIDTH = 640, CHAPTER_HEIGHT = 360 };
 
 // Replace a chapter's rayColour with a line of GLSL, draw one picture from the starting camera, and
-// read the float target. Fails the test if that is impossible; the caller frees the numbers.
+// read the float target. The caller frees the numbers. Fails the test if that is impossible.
 //   stem  for example "21_a_landscape"
-//   body  can use the ray, the pixel as 'vec2 pixel', and chapterColour(ray), which is the original
-//         function; the colour that it returns is clamped to [0, 1]
+//   body  the line; it can use the ray, the pixel as 'vec2 pixel', and chapterColour(ray), which is
+//         the original function. The colour that the line returns is clamped to [0, 1]
 float *chapter_numbers(const char *stem, const char *body);
 
 #endif

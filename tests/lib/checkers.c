@@ -1,4 +1,4 @@
-// The squares of a plane, sampled: see checkers.h.
+// Samples of the squares of a plane; see checkers.h.
 #include <math.h>
 #include <stdlib.h>
 
@@ -78,7 +78,7 @@ double checkers_of_grid(const double low[2], const double high[2], int side)
     return x * y + (1.0 - x) * (1.0 - y);
 }
 
-// Reverse the six bits of a number from 0 to 63, and divide by 64.
+// Reverse the six bits of a number from 0 to 63, and divide the result by 64.
 static double reversed(int i)
 {
     double value = 0.0;

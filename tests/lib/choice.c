@@ -1,5 +1,5 @@
-// The environment variable ONE_TEST, for example test_march_hits, selects the test of a program to
-// run; '*' in it matches any characters.
+// The environment variable ONE_TEST selects the tests of a program to run, for example
+// a_ray_has_length_1. A '*' in its value matches any characters.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-// The city of chapter 09 in double precision: see city.h.
+// The city of chapter 09 in double precision; see city.h.
 #include <stddef.h>
 
 #include "lib/cell.h"
@@ -7,7 +7,7 @@
 #define PERIOD 6.0
 #define GAP    1.35
 
-// One tower: half sizes of the shaft and the base, and the height of each, in scene units.
+// The half widths of a tower's shaft and base, and the height of each, in scene units.
 struct city_tower {
     double shaft_x, shaft_z, shaft_height, base, base_height;
 };

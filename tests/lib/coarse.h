@@ -16,18 +16,18 @@ struct coarse_scene {
     double threshold, growth, factor, orthographic, framing, focal_length;
 };
 
-// The value as a float stores it.
+// The value, rounded to a float.
 static inline double coarse_float(double value)
 {
     return (double)(float)value;
 }
 
-// Pass all these inputs to the shader, which must be loaded.
+// Pass all inputs of a scene to the shader, which must be loaded.
 void coarse_set_scene(const struct coarse_scene *scene);
 
 // ---- In double ----
 
-// The distance from p to the scene.
+// The distance from p to the scene, multiplied by the scene's factor.
 double coarse_distance(const struct coarse_scene *scene, struct d3 p);
 
 // The shader's coarseMargin at the distance t along a ray.
@@ -39,7 +39,7 @@ struct mirror_ray coarse_ray(const struct coarse_scene *scene, const struct rend
                              double x, double y);
 
 // An upper bound on the rounding error of a distance at t along a ray: sixteen roundings of a
-// number as large as t + 1 + the length of the origin.
+// number as large as |origin| + t + 1.
 double coarse_slack(struct mirror_ray ray, double t);
 
 // ---- A picture ----
@@ -53,15 +53,12 @@ float *coarse_table(const struct renderer_inputs *inputs);
 
 // ---- A wire ----
 
-enum {
-    COARSE_WIDE = 200,
-    COARSE_HIGH = 120
-}; // pixels of the picture in which the wire is half a pixel wide
+enum { COARSE_WIDE = 200, COARSE_HIGH = 120 }; // the size of the picture for coarse_wire, in pixels
 
-// A wire across the picture of a camera 7 in front of the origin. The wire is half a pixel wide.
-// Some balls are so close to it that cones only just pass them. One ball is behind the wire, and is
-// seen wherever the wire is missed.
-//   growth  of the threshold along the ray, in half pixels
+// A wire across the picture of a camera that is 7 units in front of the origin. The wire is half a
+// pixel wide. Some balls are so close to the wire that cones only just pass them. One ball is
+// behind the wire, and is seen wherever the wire is missed.
+//   growth  growth of the threshold along the ray, in half pixels
 //   lean    slope of the wire
 struct coarse_scene coarse_wire(double growth, double lean);
 

@@ -27,7 +27,7 @@ static bool sizes_agree(const struct image *a, const struct image *b)
 {
     if (a->width == b->width && a->height == b->height)
         return true;
-    report("pictures of different size cannot be compared: %dx%d and %dx%d", a->width, a->height,
+    report("pictures of different sizes cannot be compared: %dx%d and %dx%d", a->width, a->height,
            b->width, b->height);
     return false;
 }
@@ -45,7 +45,8 @@ static int value_at(const struct image *image, int x, int y)
     return image->pixel[(size_t)y * CHANNELS * (size_t)image->width + (size_t)x];
 }
 
-// Difference of the means of the block whose first pixel is (left, top), per channel.
+// The difference between the means of a block in the two pictures, per channel. The block's first
+// pixel is (left, top).
 static void block_difference(const struct image *a, const struct image *b, int left, int top,
                              double difference[CHANNELS])
 {

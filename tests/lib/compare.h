@@ -1,4 +1,4 @@
-// compare.h - reads pictures back, and compares two of them.
+// compare.h - reads pictures, and compares two of them.
 #ifndef TESTS_COMPARE_H
 #define TESTS_COMPARE_H
 
@@ -7,20 +7,20 @@
 
 #include "picture/image.h"
 
-// How two pictures differ: f2 and b8 together decide whether they count as the same.
+// How two pictures differ: f2 and b8 together decide whether the pictures count as the same.
 struct image_difference {
     double f2;      // share of pixels whose largest channel difference exceeds 2, in [0, 1]
     double b8;      // RMSE of the means of 8x8 blocks, on the worst channel, in [0, 255]
     int largest;    // largest channel difference, for information only: it is large at silhouettes
     size_t differs; // pixels that differ at all
-    int x, y;       // centre of the 8x8 block that differs most, pixels, 0,0 bottom left
+    int x, y; // centre of the 8x8 block that differs most, in pixels; 0,0 is at the bottom left
 };
 
 #define IMAGE_F2_TOLERANCE 0.0005 // 0.05 % of the pixels
 #define IMAGE_B8_TOLERANCE 0.15
 
-// Read any PNG as 8-bit RGB (transparency is dropped). Returns false after reporting the error;
-// free with image_free.
+// Read any PNG as 8-bit RGB (transparency is dropped). Returns false after reporting the error.
+// Free the picture with image_free.
 bool image_read_png(struct image *image, const char *path);
 
 // Compare two pictures. Reports an error and returns false if their sizes differ. Blocks at the
@@ -30,10 +30,10 @@ bool image_compare(const struct image *a, const struct image *b, struct image_di
 // True if f2 and b8 are both within tolerance.
 bool image_same(const struct image_difference *difference);
 
-// The result in a sentence for a student. Returns words.
+// Describe the difference in a sentence for a student. Returns words.
 const char *image_difference_words(const struct image_difference *difference, char words[256]);
 
-// Print the numbers on one line.
+// Print the numbers of a difference on one line.
 void image_print_difference(const struct image_difference *difference);
 
 // Make a picture of the difference: 128 + 4 (b - a) per channel, clamped. The two sizes must be the

@@ -9,7 +9,7 @@ static double empty(const struct cover_sample *sample)
 
 // The smallest number of intervals (t_i - d_i, t_j + d_j), with j = i + gap, that cover the ray
 // from the first sample to goal: always take the interval that reaches farthest among those that
-// begin in the part covered so far. COVER_NEVER if the intervals do not cover it.
+// begin in the part covered so far. Returns COVER_NEVER if the intervals do not reach goal.
 static int fewest(const struct cover_sample *sample, int count, int gap, double goal)
 {
     double covered = sample[0].t;
@@ -54,15 +54,15 @@ int cover_plane_march(double height, double slope, double far, double threshold,
 }
 
 // Let c be the end of the covered part, and e = d + slope (t - c) the distance there. The best
-// position is where t - d = c: there d = e / (1 + slope), and the next end of the covered part has
-// the distance e (1 - slope) / (1 + slope).
+// position is where t - d = c: there d = e / (1 + slope), and at the next end of the covered part
+// the distance is e (1 - slope) / (1 + slope).
 int cover_plane_least(double height, double slope, double far, double threshold)
 {
     bool hit;
     int steps = cover_plane_march(height, slope, far, threshold, &hit);
     double rate = (1.0 - slope) / (1.0 + slope);
     double end = hit ? height * pow(1.0 - slope, steps - 1) : height - slope * far;
-    // For a hit, the goal is the beginning of the hit's own interval. The distance there is
+    // For a hit, the goal is the beginning of the interval of the hit. The distance there is
     // end (1 + slope).
     double goal = hit ? (1.0 + slope) * end : end;
     if (slope == 0.0)
@@ -85,8 +85,9 @@ int cover_ball_march(double gap, double reach)
     return steps;
 }
 
-// t - (hypot(t, b) - 1) = c is solved for t: with k = 1 - c, b^2 = 2 k t + k^2. If c is at least 1,
-// the interval of every point of the ray begins in the covered part, however far the point is.
+// The equation t - (hypot(t, b) - 1) = c is solved for t: with k = 1 - c, b^2 = 2 k t + k^2. If c
+// is at least 1, the interval of every point of the ray begins in the covered part, however far
+// away the point is.
 int cover_ball_least(double gap, double reach)
 {
     double covered = -reach, b = 1.0 + gap;

@@ -21,13 +21,13 @@ struct cover_count {
 
 // Find how many evaluations cover a ray from its first sample to its last.
 //   sample  t ascending, count >= 1; a negative d counts as 0
-//   hit     true: the last sample is a hit, and one evaluation is made there
+//   hit     true if the last sample is a hit; one evaluation is then made there
 // A bound is COVER_NEVER if the samples are not enough for it.
 //
 // For a 1-Lipschitz distance, t - d and t + d never decrease along the ray. Between two samples,
-// t - d is therefore at least its value at the first, and t + d at most its value at the second.
-// The intervals of all points between the samples lie in the wide interval from the one value to
-// the other. `least` is the smallest number of such wide intervals.
+// t - d is therefore at least its value at the first sample, and t + d at most its value at the
+// second. The intervals of all points between the samples lie in the wide interval from the one
+// value to the other. `least` is the smallest number of such wide intervals that cover the ray.
 struct cover_count cover_of(const struct cover_sample *sample, int count, bool hit);
 
 // The next three functions are for a distance that changes at a constant rate along the ray,
@@ -39,12 +39,12 @@ int cover_plane_march(double height, double slope, double far, double threshold,
 // The smallest number of evaluations that give the same answer as this march.
 int cover_plane_least(double height, double slope, double far, double threshold);
 
-// The limit of the ratio of these two numbers: ln((1 - slope) / (1 + slope)) / ln(1 - slope), or 2
-// for slope 0.
+// The limit of the ratio of these two counts is ln((1 - slope) / (1 + slope)) / ln(1 - slope); for
+// slope 0 it is 2.
 double cover_plane_ratio(double slope);
 
-// The same two numbers for a ray past a ball of radius 1, at a distance of 1 + gap from its centre,
-// from -reach to reach around the closest point, with threshold 0.
+// The same two counts for a ray that passes a ball of radius 1 at a distance of 1 + gap from its
+// centre, from -reach to reach around the closest point, with threshold 0.
 int cover_ball_march(double gap, double reach);
 int cover_ball_least(double gap, double reach);
 

@@ -44,7 +44,7 @@ float *enlarge_numbers_with(struct enlarge *enlarge, enum enlarge_filter filter,
     float *numbers = malloc(sizeof(float[4]) * (size_t)width * (size_t)height);
     target_open(&to, gl, GL_RGBA32F);
     if (numbers == NULL || !enlarge_into(&to, filter, from, width, height, enlarge)) {
-        report("enlarging to %dx%d: cannot be done", width, height);
+        report("the picture cannot be enlarged to %dx%d", width, height);
         exit(1);
     }
     target_read(&to, gl, numbers);
@@ -102,8 +102,8 @@ static double cpu_time(void)
     return platform_processor_seconds();
 }
 
-// Time the picture of the scene of the report's annex and the filters, in turn. Each time is the
-// shortest of several frames, in seconds.
+// Measure the processor time of the report's annex scene and of each filter, alternating between
+// them. Each time is the shortest of several frames, in seconds.
 static bool time_filters(double *unit, double least[ENLARGE_FILTERS])
 {
     const struct gl *gl = &gpu.context.gl;

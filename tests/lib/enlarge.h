@@ -15,10 +15,10 @@ struct enlarge_scene {
 enum { ENLARGE_SCENES = 5 };
 extern const struct enlarge_scene enlarge_scenes[ENLARGE_SCENES];
 
-// How much an enlarged picture differs from the full one.
+// How much an enlarged picture differs from the picture at full resolution.
 struct enlarge_error {
     struct image_difference difference;
-    double rms; // root mean square over all channels, in [0, 255]
+    double rms; // root mean square difference over all channels, in [0, 255]
 };
 
 // Draw a target's picture through a filter, at a given size. Fails the test, or ends the program,
@@ -26,12 +26,12 @@ struct enlarge_error {
 float *enlarge_numbers(enum enlarge_filter filter, const struct target *from, int width,
                        int height);
 
-// Like enlarge_numbers, with an enlarger that the caller closes with enlarge_close.
+// Like enlarge_numbers, but with an enlarger that the caller closes with enlarge_close.
 float *enlarge_numbers_with(struct enlarge *enlarge, enum enlarge_filter filter,
                             const struct target *from, int width, int height);
 
-// Draw the scene in full and at 1/divisor of each side, and compare the enlarged picture with the
-// full one.
+// Draw the scene at full resolution and at 1/divisor of each side, and compare the enlarged
+// pictures with the full one.
 //   error  receives the error of each filter
 void enlarge_measure(const struct enlarge_scene *scene, double divisor,
                      struct enlarge_error error[ENLARGE_FILTERS]);

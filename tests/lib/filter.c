@@ -10,7 +10,7 @@ const char *const filter_way_names[FILTER_WAYS] = {
 
 enum { PIXELS = 64, TRUTH = 16 }; // no pixel has more than TRUTH samples in a row
 
-// A fan of dark and light rays that get thinner towards its centre, which is outside the picture.
+// A fan of dark and light wedges that get thinner towards its centre, which is outside the picture.
 static double picture(double x, double y)
 {
     double turn = atan2(y + 3.7, x + 5.3) / MIRROR_PI;
@@ -22,8 +22,8 @@ static double tent(double share)
     return share < 0.5 ? sqrt(2.0 * share) - 1.0 : 1.0 - sqrt(2.0 - 2.0 * share);
 }
 
-// The position below which this share of a Gaussian of standard deviation 1/2 lies, found by
-// bisection.
+// The quantile of a Gaussian with standard deviation 1/2, found by bisection: this share of the
+// Gaussian is below it.
 static double gaussian(double share)
 {
     double low = -4.0, high = 4.0;

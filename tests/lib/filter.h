@@ -19,7 +19,8 @@ enum filter_way {
 
 extern const char *const filter_way_names[FILTER_WAYS];
 
-// The root mean square difference, where white is 1, over 64 x 64 pixels of the picture.
+// The root mean square difference from the mean of 256 samples, over 64 x 64 pixels of the picture.
+// White is 1.
 //   side  samples per row and per column of a pixel, 1 to 16
 // The 256 samples are those of the same filter in a regular grid; the workshop's grid is compared
 // with those of the box filter.

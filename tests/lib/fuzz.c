@@ -40,7 +40,7 @@ static void promise_report(bool done)
         promise(length == 0, "an accepted input causes no message");
     else
         promise(line_count(said) == 1 && length > 1 && said[length - 1] == '\n',
-                "a refused input causes one line");
+                "a refused input causes a one-line message");
 }
 
 // Copy bytes into a string, where zero bytes become blanks. The caller frees the string.
@@ -70,7 +70,8 @@ static const char *const names[] = {MAIN,
                                     LOG};
 #define NAMES (sizeof names / sizeof *names)
 
-// The name in a line "=== NAME", or NULL if the line is not of this form or the name is unknown.
+// Returns the name in a line "=== NAME", or NULL if the line is not of this form or the name is
+// unknown.
 static const char *begins(const uint8_t *line, size_t length)
 {
     for (size_t i = 0; i < NAMES; i++)
@@ -80,7 +81,7 @@ static const char *begins(const uint8_t *line, size_t length)
     return NULL;
 }
 
-// Split the bytes into files in the scratch folder. A file that they do not name is empty.
+// Split the bytes into files in the scratch folder. A file that the bytes do not name is empty.
 static void write_files(const uint8_t *bytes, size_t size)
 {
     const char *name = MAIN;
@@ -126,7 +127,7 @@ static void promise_source(const struct shader_source *source)
     }
 }
 
-// Explain a driver's log, which is the file LOG.
+// Explain the driver's log in the file LOG.
 static void explain(const struct shader_source *source, enum shader_view view)
 {
     char log[8192];
@@ -270,7 +271,7 @@ void fuzz_parameter(const uint8_t *bytes, size_t size)
                     "a sampler has all its parts");
         }
         FILE *nowhere = fopen("/dev/null", "w");
-        promise(nowhere != NULL, "/dev/null opens");
+        promise(nowhere != NULL, "/dev/null can be opened");
         parameters_print(&parameters, nowhere);
         samplers_print(&parameters.samplers, &source, nowhere);
         fclose(nowhere);
@@ -312,14 +313,15 @@ static void mend(uint8_t *bytes, size_t size)
 
 static void promise_levels(const struct texture_image *image, int slices)
 {
-    promise(image->count >= 1 && image->count <= TEXTURE_LEVELS, "there are levels");
-    promise(image->size[0][2] == slices, "there are as many slices as were requested");
+    promise(image->count >= 1 && image->count <= TEXTURE_LEVELS,
+            "the number of levels is in its range");
+    promise(image->size[0][2] == slices, "there are as many slices as requested");
     for (int i = 0; i < image->count; i++)
         for (int k = 0; k < 3; k++) {
             int side = image->size[i][k], before = i > 0 ? image->size[i - 1][k] : side;
             promise(side >= 1 && side <= IMAGE_SIDE_LIMIT, "a side is in its range");
             promise(i == 0 || side == (before > 1 ? before / 2 : 1),
-                    "a level is half of the one before");
+                    "each side is half that of the level before");
         }
     const int *last = image->size[image->count - 1];
     promise(last[0] * last[1] * last[2] == 1, "the last level is one texel");

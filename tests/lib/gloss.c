@@ -1,4 +1,4 @@
-// Highlights in double precision: see gloss.h.
+// Highlights in double precision; see gloss.h.
 #include "lib/gloss.h"
 
 static struct d3 halfway(struct d3 to_light, struct d3 to_eye)
@@ -6,7 +6,7 @@ static struct d3 halfway(struct d3 to_light, struct d3 to_eye)
     return d3_unit(d3_add(to_light, to_eye));
 }
 
-// GGX is written as in its source: D G / (4 cos cos), with G from Smith's function Lambda.
+// GGX in its published form: D G / (4 cos cos), with G from Smith's function Lambda.
 static double density(double cosine, double alpha)
 {
     double c2 = cosine * cosine, tangent2 = (1.0 - c2) / c2, a2 = alpha * alpha;
@@ -57,9 +57,9 @@ struct d3 gloss_eye(double cosine)
 }
 
 // For any model, the half vectors are distributed like the density of a GGX highlight times the
-// cosine. Each of them represents the solid angle 4 (eye . half) / (density cosine) of light.
-// Grazing light comes from the long tail of the density, which contains few half vectors. They are
-// therefore made denser there: s is uniformly distributed, with u = 1 - (1 - s)^3.
+// cosine. Each half vector represents the solid angle 4 (eye . half) / (density cosine) of light.
+// Grazing light comes from the long tail of the density, which would contain few half vectors. Half
+// vectors are therefore made denser there: s is uniformly distributed, with u = 1 - (1 - s)^3.
 double gloss_albedo(gloss_model *model, double parameter, double roughness, double cosine)
 {
     enum { SIDE = 384 };
@@ -70,7 +70,7 @@ double gloss_albedo(gloss_model *model, double parameter, double roughness, doub
         double tangent = alpha * sqrt(u / (1.0 - u)), part = 3.0 * rest * rest;
         double c = 1.0 / sqrt(1.0 + tangent * tangent);
         for (int k = 0; k < SIDE; k++) {
-            // One half is enough, because the other is its mirror image.
+            // The angles from 0 to pi are enough, because the others mirror them.
             double turn = MIRROR_PI * (k + 0.5) / SIDE;
             struct d3 half = d3(c * tangent * cos(turn), c * tangent * sin(turn), c);
             double facing = d3_dot(eye, half);

@@ -1,5 +1,5 @@
-// gloss.h - the two models of shaders/gloss.glsl in double precision, and the share of the light on
-// a surface that each model sends back.
+// gloss.h - the two models of shaders/gloss.glsl in double precision, and the share of the incoming
+// light that a surface sends back in each model.
 #ifndef TESTS_GLOSS_H
 #define TESTS_GLOSS_H
 
@@ -14,15 +14,16 @@ double gloss_blinn_phong(struct d3 to_light, struct d3 to_eye, double exponent);
 double gloss_usual(struct d3 to_light, struct d3 to_eye, double exponent);
 double gloss_bare(struct d3 to_light, struct d3 to_eye, double exponent);
 
-// The exponent whose highlight is about as wide as that of a roughness: 2 / roughness^4 - 2.
+// The exponent whose highlight is about as wide as that of GGX with this roughness:
+// 2 / roughness^4 - 2.
 double gloss_exponent(double roughness);
 
-// The direction to an eye at an angle with this cosine to the normal.
+// The direction to an eye whose angle to the normal has this cosine.
 struct d3 gloss_eye(double cosine);
 
 // The directional albedo: the light that a surface sends to the eye under a sky of 1 everywhere. By
-// reciprocity, it is also the share that the surface sends back of light from the eye's direction.
-// It is summed over 384 x 384 half vectors, which are distributed like a highlight of this
+// reciprocity, it is also the share of the light from the eye's direction that the surface sends
+// back. It is summed over 384 x 384 half vectors, which are distributed like a highlight of this
 // roughness.
 double gloss_albedo(gloss_model *model, double parameter, double roughness, double cosine);
 

@@ -59,7 +59,7 @@ bool gpu_load_file(struct renderer *renderer, const char *path)
     return loaded;
 }
 
-// A test starts with the shader's default values.
+// Every shader starts with the default values of its parameters.
 static void reset_parameters(void)
 {
     for (int i = 0; i < gpu.renderer.parameters.count; i++)

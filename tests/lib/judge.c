@@ -8,7 +8,7 @@
 
 #include "lib/compare.h"
 
-#define RAYS 16 // the most that are compared
+#define RAYS 16 // at most this many rays are compared
 // A hit that is off by more than this share of 1 + t is a different hit.
 #define FAR 0.02
 
@@ -22,9 +22,9 @@ static struct {
 static const char *part_of(int x, int y, int width, int height)
 {
     static const char *const parts[3][3] = {
-        {"at the lower left", "at the lower middle", "at the lower right"},
-        {"at the middle left", "in the middle", "at the middle right"},
-        {"at the upper left", "at the upper middle", "at the upper right"}};
+        {"at the lower left", "at the bottom", "at the lower right"},
+        {"on the left", "in the middle", "on the right"},
+        {"at the upper left", "at the top", "at the upper right"}};
     int row = 3 * y < height ? 0 : 3 * y < 2 * height ? 1 : 2;
     int column = 3 * x < width ? 0 : 3 * x < 2 * width ? 1 : 2;
     return parts[row][column];
@@ -71,12 +71,13 @@ const char *judge_words(void)
 
 struct march {
     bool recorded;
-    double t;           // of its last step
-    char end[160];      // the last line of --probe without its "# "
+    double t;           // t of the last step
+    char end[160];      // the last line of --probe without the "# "
     size_t outcome, at; // length of the end up to the first ';', and up to the first of ' ' ':' ';'
 };
 
-// Read the next march that --probe printed. Returns the rest, or NULL if there is no march.
+// Read the next march that --probe printed. Returns the rest of the text, or NULL if there is no
+// march.
 static const char *read_march(const char *text, struct march *march)
 {
     *march = (struct march){0};
@@ -163,7 +164,7 @@ const char *judge_right(int pictures, double share)
 {
     char most[64] = "no pixel differs";
     if (share >= 0.5e-6)
-        snprintf(most, sizeof most, "%.4f %% of the pixels differ at most", 100.0 * share);
+        snprintf(most, sizeof most, "at most %.4f %% of the pixels differ", 100.0 * share);
     snprintf(judge.text, sizeof judge.text,
              "as the solution in %d picture%s: %s by more than 2 of 255", pictures,
              pictures == 1 ? "" : "s", most);

@@ -4,10 +4,10 @@
 #define TESTS_JUDGE_H
 
 // Compare the answer's picture with the solution's.
-//   with          the picture's options, as the page spells them; "" for none
-//   width, height of both
-//   right, mine   3 bytes per pixel, row 0 at the top
-//   shown         receives the picture of image_difference_picture, unless it is NULL
+//   with          the picture's options, as the page spells them; "" if there are none
+//   width, height the size of both pictures
+//   right, mine   the two pictures: 3 bytes per pixel, row 0 at the top
+//   shown         receives the picture of image_difference_picture; may be NULL
 // Returns what is wrong with the answer's picture and where, or "" if the two pictures are the
 // same.
 const char *judge_picture(const char *with, int width, int height, const unsigned char *right,
@@ -16,18 +16,18 @@ const char *judge_picture(const char *with, int width, int height, const unsigne
 // The share of pixels that the last judge_picture found to differ by more than 2 of 255, in [0, 1].
 double judge_share(void);
 
-// Where the last judge_picture found the largest difference, for example "397,87", in pixels as
-// --probe counts them.
+// The centre of the 8x8 block in which the last judge_picture found the largest difference, for
+// example "397,87", in pixels as --probe counts them.
 const char *judge_pixel(void);
 
-// How far apart the last judge_picture found the two pictures, or that they are the same, in the
-// words of `make compare`.
+// The difference that the last judge_picture found between the two pictures, in the words of
+// `make compare`.
 const char *judge_words(void);
 
 // Compare the rays of some pixels.
 //   with         as for judge_picture
 //   pixels       pixels, "X,Y X,Y ..."
-//   right, mine  what --probe prints for these pixels, in the same order
+//   right, mine  the output of --probe for these pixels, in the same order
 // Returns what is wrong with the answer's rays, or "" if they end like the solution's. One ray may
 // end elsewhere, because it may lie on an edge. If the solution records no rays, none are compared.
 const char *judge_rays(const char *with, const char *pixels, const char *right, const char *mine);

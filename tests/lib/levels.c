@@ -9,7 +9,7 @@
 
 enum { SIDE = LEVELS_SIDE, POINTS = 32 };
 
-// The picture's light, bottom row first.
+// The linear light of the picture, bottom row first.
 static double light[SIDE][SIDE][3];
 
 bool levels_open(void)
@@ -38,7 +38,7 @@ float *levels_read(enum levels_reading reading, double x, double y, double facto
     return gpu_numbers(&inputs);
 }
 
-// The length of the part of a texel that is between two ends.
+// The length of the part of a texel that is between two positions on an axis.
 static double overlap(int texel, double from, double to)
 {
     return fmax(fmin(texel + 1.0, to) - fmax(texel, from), 0.0);

@@ -13,24 +13,25 @@ enum { LEVELS_SIDE = 512 }; // side of granite.png, texels
 // footprint of a ray that meets a floor (footprintOn of shaders/texture.glsl).
 enum levels_reading { LEVELS_SIDES, LEVELS_LEVEL, LEVELS_FLOOR };
 
-// Read the picture and load the shader, after gpu_open. Returns false after reporting the error.
+// Read the texture's picture and load the shader. Call this after gpu_open. Returns false after
+// reporting the error.
 bool levels_open(void);
 
 // The values that the shader reads at 1024 points.
 //   x, y    the two sides of the footprint in texels (for a floor, the ray's width for both), or
 //           the level
-//   factor  by which the footprint is multiplied before it is passed; 0 passes almost none
-//   sine    of the angle between the ray and the floor
-// Returns 4 floats per point, which the caller frees. Fails the test, or ends the program, if they
-// cannot be drawn.
+//   factor  multiplies the footprint in the shader; 0 makes it almost 0
+//   sine    the sine of the angle between the ray and the floor
+// Returns 4 floats per point, which the caller frees. Fails the test, or ends the program, if the
+// points cannot be drawn.
 float *levels_read(enum levels_reading reading, double x, double y, double factor, double sine);
 
-// The root mean square difference, in linear light, from the mean over rectangles of width x height
-// texels at these points. The mean is the sum over texels in double precision. Fails the test, or
-// ends the program, if the points cannot be drawn.
+// The root mean square difference, in linear light, between the values that the shader reads and
+// the means over rectangles of width x height texels at the same points. The means are sums over
+// texels in double precision. Fails the test, or ends the program, if the points cannot be drawn.
 //   factor  as for levels_read
-//   sine    below 1, the shader itself computes the length of the footprint on a floor; 1 passes
-//           the sides
+//   sine    if below 1, the shader computes the length of the footprint on a floor; if 1, the sides
+//           are passed
 double levels_error(double width, double height, double factor, double sine);
 
 #endif

@@ -16,7 +16,8 @@ static double sheet_distance(int sheet, struct d3 p, struct d3 middle)
                            : mirror_box(q, d3((double)0.7f, 0.5, (double)0.6f)));
 }
 
-// Where a ray that begins outside first meets the sheet; HUGE_VAL if it does not.
+// The t at which a ray that begins outside first meets the sheet, or HUGE_VAL if the ray misses the
+// sheet.
 static double first_meeting(int sheet, struct mirror_ray ray, struct d3 middle)
 {
     double t[2];
@@ -27,7 +28,7 @@ static double first_meeting(int sheet, struct mirror_ray ray, struct d3 middle)
     return met ? t[0] : HUGE_VAL;
 }
 
-// The bound of proof 5: how far the computed distance at t may be from the true one.
+// The bound of proof 5: how far the computed distance at t may be from the true distance.
 static double error_bound(struct mirror_ray ray, struct d3 middle, double t)
 {
     struct d3 p = mirror_at(ray, t);
@@ -75,8 +76,8 @@ struct limits_sums limits_of(int sheet, double away, double threshold)
     return sums;
 }
 
-// The largest power of two, up to 1, for which a ray passes a sheet if the threshold is the proved
-// one times this power; 0 if there is none.
+// The largest power of two, from 1 down to 1e-6, for which a ray passes a sheet if the threshold is
+// the proved threshold times this power. Returns 0 if there is none.
 static double largest_unsound(double away)
 {
     for (double threshold = 1.0; threshold > 1e-6; threshold *= 0.5)

@@ -28,7 +28,8 @@ const struct march_scene march_scenes[MARCH_SCENES] = {
     {"07", "07_repetition", "", "07_repetition.frag", MARGIN, "", NULL, false, true},
     {"09", "09_sky_and_sunset", "", "09_sky_and_sunset.frag", MARGIN, "", NULL, false, true},
     {"16", "16_fewer_steps", "", "16_fewer_steps.frag", "", "", "divider=1", false, true},
-    // The chapter begins its march where the coarse pass ended, but not behind the water.
+    // The chapter's march already begins where the coarse pass ended or, if that is nearer, at the
+    // water.
     {"21", "21_a_landscape", "#define PASS_DONE\n", "21_a_landscape.frag", "",
      "asked = 0; way = oneWay(max(abs(ray.direction.y), bend.direction.y));\n", NULL, false, true},
     {"22", "22_many_parts", "#include \"reef.glsl\"\n", "22_many_parts.frag", MARGIN, "", NULL,
@@ -92,7 +93,7 @@ bool march_load(struct renderer *renderer, const struct march_scene *scene, enum
 
 // ---- What a march found ----
 
-// The evaluations of the coarse pass, which the last frame left in the target of the pass.
+// The number of evaluations in the coarse pass, which the last frame left in the pass's target.
 static double coarse_evaluations(struct renderer *renderer)
 {
     int blocks = renderer->coarse.width * renderer->coarse.height;

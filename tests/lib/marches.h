@@ -1,5 +1,5 @@
-// marches.h - the marches of chapters/experiments/16_marches.glsl in eleven scenes: what each costs
-// and where it errs.
+// marches.h - the marches of chapters/experiments/16_marches.glsl in eleven scenes: the cost and
+// the errors of each.
 #ifndef TESTS_MARCHES_H
 #define TESTS_MARCHES_H
 
@@ -24,20 +24,20 @@ extern const char *const march_names[MARCH_KINDS];
 
 struct march_scene {
     const char *name;
-    const char *stem;   // of the chapter; its camera is used, except in the last four scenes
+    const char *stem;   // the chapter, whose camera is used, except in the last four scenes
     const char *before; // GLSL before the marches
     const char *source; // the included file: a chapter or an experiment
     // GLSL after the included file: coarseMargin if the chapter has none; NULL for an experiment.
     const char *after;
-    const char *restore; // GLSL that resets what later rays have changed in the scene
-    const char *setting; // NAME=VALUE, or NULL
+    const char *restore; // GLSL that resets variables of the scene that later rays have changed
+    const char *setting; // a parameter's value, as NAME=VALUE; may be NULL
     // True if the scene bounds the slope along a segment, so the segment march differs from the
     // plain one.
     bool knows_fall;
     bool lipschitz; // the distance is 1-Lipschitz, so the least number of evaluations is known
 };
 
-enum { MARCH_SCENES = 11, MARCH_STRESS = 7 }; // the last four are those of 16_stress.frag
+enum { MARCH_SCENES = 11, MARCH_STRESS = 7 }; // the scenes from 7 on are those of 16_stress.frag
 extern const struct march_scene march_scenes[MARCH_SCENES];
 
 // Load a scene with a march into a renderer. Returns false after reporting the error. march_inputs
@@ -61,11 +61,11 @@ struct march_picture march_draw(struct renderer *renderer, const struct march_sc
 void march_free(struct march_picture *picture);
 
 struct march_costs {
-    double evaluations; // per pixel, including the coarse pass
+    double evaluations; // the mean number per pixel, including the coarse pass
     double lockstep;  // the largest number of evaluations in a block of 8 x 8 pixels, averaged over
                       // the blocks and divided by the mean number of evaluations
     int false_hits;   // pixels that find a surface although there is none in the truth
-    int false_misses; // pixels that miss a surface of the truth, or find one more than the
+    int false_misses; // pixels that miss a surface of the truth, or find a surface more than the
                       // threshold behind it
 };
 
@@ -74,7 +74,7 @@ struct march_costs march_costs_of(const struct march_picture *picture,
 
 // The evaluations of the rays that shaders/cover.glsl examines, divided by the fewest that would be
 // enough for the plain march.
-//   fewest  from march_fewest
+//   fewest  the result of march_fewest
 double march_over_bound(const struct march_picture *picture, const int *fewest);
 
 // The fewest evaluations that would be enough for the plain march, for each pixel that
@@ -82,13 +82,13 @@ double march_over_bound(const struct march_picture *picture, const int *fewest);
 int *march_fewest(struct renderer *renderer, const struct march_scene *scene, int width,
                   int height);
 
-// A march in double precision, without a coarse pass, through scene STRESS of 16_stress.frag, 0 to
-// 3.
+// A march in double precision, without a coarse pass, through a scene of 16_stress.frag.
+//   stress  the scene, 0 to 3, as STRESS in the shader
 //   spread  growth of the threshold along the ray, for MARCH_CONE
 struct mirror_march march_in_double(int stress, enum march_kind kind, struct mirror_ray ray,
                                     double far, double threshold, double spread);
 
-// The distance of scene STRESS.
+// The distance from p to a scene of 16_stress.frag.
 double march_stress_distance(int stress, struct d3 p);
 
 // Print both tables of docs/benchmark.md that compare the marches. Returns an exit status.

@@ -123,8 +123,8 @@ static struct mirror_march plain(struct state *state, double spread)
 }
 
 // Marches that look ahead of the covered part of the ray. With slopes, the length of a step comes
-// from the last two distances that were used; otherwise, a step is omega times the distance, until
-// the first step back.
+// from the last two distances that were used. Otherwise, a step is omega times the distance and,
+// after the first step back, only the distance.
 static struct mirror_march ahead(struct state *state, bool slopes, double omega)
 {
     double covered = 0.0, t = 0.0, at = 0.0, before = 0.0;

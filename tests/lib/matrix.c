@@ -1,4 +1,4 @@
-// Matrices in double precision: see matrix.h.
+// Matrices in double precision; see matrix.h.
 #include <math.h>
 
 #include "lib/matrix.h"
@@ -36,9 +36,9 @@ double m3_determinant(const struct m3 *m)
     return d3_dot(m->column[0], d3_cross(m->column[1], m->column[2]));
 }
 
-// The largest singular value is the root of the largest eigenvalue of S = transpose(m) m, which is
-// found by repeated squaring. S / tr S has trace 1, and its squares lose all but the largest
-// eigenvalue.
+// The largest singular value is the square root of the largest eigenvalue of S = transpose(m) m,
+// which is found by repeated squaring. S / tr S has trace 1, and repeated squaring removes all but
+// the largest eigenvalue.
 double m3_largest_stretch(const struct m3 *m)
 {
     double logarithm = 0.0, weight = 1.0;

@@ -14,7 +14,7 @@ struct d3 m3_apply_transposed(const struct m3 *m, struct d3 v);
 
 double m3_determinant(const struct m3 *m);
 
-// The largest factor by which m stretches a vector: its largest singular value.
+// The largest factor by which m stretches a vector: the largest singular value of m.
 double m3_largest_stretch(const struct m3 *m);
 
 // v turned about an axis of length 1 by an angle in radians, using Rodrigues' formula.

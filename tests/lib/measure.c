@@ -142,8 +142,8 @@ double measure_outline_theory(double threshold)
 
 // ---- Acne ----
 
-// Count the lit pixels of the stage whose neighbours are also lit, and the pixels among them that
-// the picture shows with less than 0.7 of their light.
+// Among every third pixel, count the lit pixels of the stage whose surroundings are also lit, and
+// those of them whose red channel in the picture is less than 0.7 of the expected value.
 static void count_acne(const struct camera *camera, const float *values, int *lit, int *dark)
 {
     struct mirror_eye eye = {.camera = *camera};
@@ -181,8 +181,8 @@ static float *shadow_shares(const struct camera *camera, int formula)
     return gpu_numbers(&inputs);
 }
 
-// Add up the errors over the pixels that do not see all of the sun, which are the same for every
-// formula.
+// Average the errors over the pixels that do not see all of the sun. These pixels are the same for
+// every formula.
 //   quick  a picture whose red channel is the share that one formula gives
 //   truth  a picture whose blue channel is the true share
 static void add_up(const float *quick, const float *truth, struct shadow_error *error)

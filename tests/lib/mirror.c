@@ -97,7 +97,7 @@ double brute_two_balls(struct d3 p, double shift, double radius)
     if (fmin(left, right) > radius)
         return fmin(left, right) - radius;
     // The surface consists of each sphere without the part inside the other ball, and of the circle
-    // where they meet.
+    // where the spheres meet.
     double around = hypot(p.y, p.z), circle = sqrt(radius * radius - shift * shift);
     double depth = hypot(p.x, around - circle);
     double left_x = -shift + radius * (p.x + shift) / left;
@@ -213,7 +213,7 @@ bool mirror_ball_crossing(struct mirror_ray ray, double radius, double t[2])
 }
 
 // Find where a ray crosses the plane of a face of the box. If that point is on the face, widen the
-// interval t to include it.
+// interval t to include the point.
 //   ray   origin, then direction
 //   face  0 to 2: at low x, y, z; 3 to 5: at high x, y, z
 static void cross_face(const double ray[6], const double low[3], const double high[3], int face,

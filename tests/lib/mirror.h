@@ -77,7 +77,7 @@ static inline struct d3 d3_unit(struct d3 a)
     return d3_times(1.0 / d3_length(a), a);
 }
 
-// The angle between two vectors in degrees; exact for small angles, where acos is not.
+// The angle between two vectors in degrees, accurate for small angles, where acos is not.
 double d3_angle(struct d3 a, struct d3 b);
 
 // ---- shaders/primitives.glsl ----
@@ -87,8 +87,8 @@ double mirror_plane(struct d3 p, struct d3 normal, double height);
 double mirror_box(struct d3 p, struct d3 half_size);
 double mirror_box_frame(struct d3 p, struct d3 half_size, double beam);
 
-// The distances to the same solids from another method: they are measured to the closest point of
-// the surface, from outside and inside.
+// The distances to the same solids, found with another method: they are measured to the closest
+// point of the surface, from outside and inside.
 double brute_box(struct d3 p, struct d3 half_size);
 // Outside, the distance to the closest of the twelve beams. Inside, the true depth: the distance to
 // the closest point outside the frame, which is beyond an outer face or has at least two
@@ -115,19 +115,19 @@ struct mirror_part {
 struct mirror_scene {
     const struct mirror_part *part;
     int count;
-    // The distance at p, used instead of the parts unless it is NULL; nearest receives an index
-    // whose meaning the function defines.
+    // Returns the distance at p, and replaces the parts; NULL if the scene has parts. nearest
+    // receives an index whose meaning the function defines.
     double (*function)(struct d3 p, int *nearest);
 };
 
 // A ball that may hide a lamp or a part of the sky.
 struct mirror_ball {
-    struct d3 centre; // from the viewpoint, scene units
+    struct d3 centre; // relative to the viewpoint, scene units
     double radius;    // scene units, > 0
 };
 
 // True if a ray from the viewpoint in this direction meets the ball.
-//   direction  of length 1
+//   direction  a unit vector
 //   data       a struct mirror_ball
 bool mirror_ball_blocks(struct d3 direction, const void *data);
 
@@ -184,8 +184,8 @@ static inline double mirror_screen_y(double y, int height)
     return (2.0 * y - height) / height;
 }
 
-// Find where a ray crosses a ball around the origin: t[0] <= t[1], of either sign. Returns false if
-// the ray misses the ball.
+// Find where the line of a ray crosses a ball around the origin: t[0] <= t[1], and either may be
+// negative. Returns false if the line misses the ball.
 bool mirror_ball_crossing(struct mirror_ray ray, double radius, double t[2]);
 
 // Find where a ray enters and leaves a box, from its crossings with the six faces; t[0] is 0 if the
@@ -205,8 +205,8 @@ double mirror_clamp(double x);
 
 enum mirror_vision { VISION_FULL, VISION_PROTAN, VISION_DEUTAN };
 
-// The OKLab lightness L of a colour, encoded as the screen expects it, as seen by an eye with all
-// its cones, without the long cones (protan) or without the medium cones (deutan).
+// The OKLab lightness L of a colour, which is encoded as the screen expects it, as seen by an eye
+// with all kinds of cones, without L cones (protan) or without M cones (deutan).
 // Sources: B. Ottosson, 'A perceptual color space for image processing' (2020); G. M. Machado, M.
 // M. Oliveira, L. A. F. Fernandes, 'A physiologically-based model for simulation of color vision
 // deficiency', IEEE TVCG 15 (2009), severity 1.
@@ -229,7 +229,7 @@ struct mirror_sample {
     bool shadowed;    // the surface faces the light, but an object is in between
 };
 
-// The colour of a pixel of chapter 03, to the limit of double precision.
+// What a pixel of chapter 03 shows, to the limit of double precision.
 struct mirror_sample mirror_stage(const struct mirror_eye *eye);
 
 // The scene of chapters 02 and 03.

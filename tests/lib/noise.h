@@ -23,7 +23,8 @@ uint32_t noise_bits(int32_t x, int32_t y, int32_t z);
 // times number. Corner k is at x = 1 if k & 1, at y = 1 if k & 2, and at z = 1 if k & 4.
 struct noise noise_blend(struct d3 x, const double number[8]);
 
-// Interpolate between eight linear functions, which are 0 at the corners and have these gradients.
+// Interpolate between eight linear functions. Function k is 0 at corner k and has the gradient
+// direction[k].
 struct noise noise_slopes(struct d3 x, const struct d3 direction[8]);
 
 struct noise noise_value(struct d3 p);

@@ -7,7 +7,7 @@
 #include "lib/shadow.h"
 
 #define BAR    0.05 // radius
-#define GROOVE 0.6  // half its width
+#define GROOVE 0.6  // half the width
 #define TAPS   5
 
 const char *const occlusion_thing_names[OCCLUSION_THINGS] = {"open floor", "wall", "groove",
@@ -20,7 +20,7 @@ double occlusion_share(occlusion_blocked blocked, const void *data, struct d3 no
     shadow_axes(normal, &right, &up);
     for (int i = 0; i < n * n; i++) {
         double a = (2.0 * (i % n) + 1.0) / n - 1.0, b = (2.0 * (i / n) + 1.0) / n - 1.0;
-        // The points are rotated, so that no edge of a scene is parallel to a row of them.
+        // The grid is rotated so that no edge of a scene is parallel to a row of points.
         double x = a * cos(1.0) - b * sin(1.0), y = a * sin(1.0) + b * cos(1.0);
         double square = 1.0 - x * x - y * y;
         if (square < 0.0)
@@ -54,8 +54,8 @@ double occlusion_distance(const struct occlusion_case *scene, double y)
 
 // Does a ray meet an upright wall whose foot is at the height of the ray's origin?
 //   away  horizontal distance from the ray's origin to the wall
-//   rate  at which the ray approaches the wall
-//   rise  of the ray
+//   rate  the component of the ray's direction towards the wall
+//   rise  the upward component of the ray's direction
 static bool meets_wall(double away, double rate, double rise, double height)
 {
     return rate > 0.0 && away * rise < height * rate;
@@ -200,7 +200,8 @@ int occlusion_print(void)
     print_case("0.3 from a wall 0.4 high", (struct occlusion_case){OCCLUSION_WALL, 0.4, 0.3});
     print_case("1 from a ball of radius 1", (struct occlusion_case){OCCLUSION_BALL, 1.0, 1.0});
     print_case("0.1 from a wall 4 high", (struct occlusion_case){OCCLUSION_WALL, 4.0, 0.1});
-    print_case("in a shaft 0.1 wide, 4 deep", (struct occlusion_case){OCCLUSION_SHAFT, 4.0, 0.1});
+    print_case("in a shaft of radius 0.1, 4 deep",
+               (struct occlusion_case){OCCLUSION_SHAFT, 4.0, 0.1});
     printf("# visible share of the sky: formula minus truth\n");
     printf("scene,formula,mean,mean absolute value,worst\n");
     for (int thing = 0; thing <= OCCLUSION_BALL; thing++)

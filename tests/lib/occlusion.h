@@ -8,18 +8,18 @@
 // Is there an object in a direction?
 typedef bool (*occlusion_blocked)(struct d3 direction, const void *data);
 
-// The openness: of those points of an n x n grid that lie in a unit disc perpendicular to the
+// The openness: among the points of an n x n grid that lie in a unit disc perpendicular to the
 // normal, the share above which there is no object.
-//   normal  length 1
+//   normal  a unit vector
 double occlusion_share(occlusion_blocked blocked, const void *data, struct d3 normal, int n);
 
 // ---- A level floor beside an object, as in the experiment 14_map ----
 
 enum occlusion_thing {
     OCCLUSION_NOTHING,
-    OCCLUSION_WALL,   // its foot at x = 0, the floor at x > 0
-    OCCLUSION_GROOVE, // between two walls, at -0.6 and 0.6
-    OCCLUSION_BAR,    // along z, of radius 0.05, its axis above x = 0
+    OCCLUSION_WALL,   // with its foot at x = 0; the floor is at x > 0
+    OCCLUSION_GROOVE, // between two walls, at x = -0.6 and x = 0.6
+    OCCLUSION_BAR,    // along z, with radius 0.05 and its axis above x = 0
     OCCLUSION_BALL,   // lying on the floor at x = 0
     OCCLUSION_SHAFT,  // a round well of radius x, seen from the centre of its bottom
     OCCLUSION_THINGS
@@ -30,14 +30,14 @@ extern const char *const occlusion_thing_names[OCCLUSION_THINGS];
 struct occlusion_case {
     enum occlusion_thing thing;
     double size; // height of the walls or of the bar's axis, or radius of the ball, scene units
-    double x;    // coordinate of the floor's point; for the shaft, its radius
+    double x;    // x coordinate of a point on the floor; for the shaft, the shaft's radius
 };
 
-// The distance from (x, y, 0), or for the shaft from (0, y, 0), to the floor and the object; exact
-// outside them.
+// The distance from (x, y, 0), or for the shaft from (0, y, 0), to the union of the floor and the
+// object; exact outside it.
 double occlusion_distance(const struct occlusion_case *scene, double y);
 
-// The openness at the floor's point, by brute force with n x n points, and in closed form.
+// The openness at the point on the floor, by brute force with n x n points, and in closed form.
 double occlusion_brute(const struct occlusion_case *scene, int n);
 double occlusion_truth(const struct occlusion_case *scene);
 

@@ -7,20 +7,20 @@
 
 enum { PARTS_WIDE = 24, PARTS_HIGH = 14, PART_RAYS = PARTS_WIDE * PARTS_HIGH };
 
-// The methods that find the parts that matter.
+// The methods of finding the parts that matter at a point.
 enum part_means {
     PARTS_FLAT,    // every part is evaluated
     PARTS_TREE,    // a tree of boxes; a box is skipped if its parts cannot change the value
     PARTS_BOUNDED, // like PARTS_TREE, with an upper bound on the value from the last step
-    PARTS_GRID,    // the list of the ray's current cell; a step ends where it leaves the cell
+    PARTS_GRID,    // the parts of the ray's current cell; a step ends where the ray leaves the cell
     PARTS_MEANS
 };
 
-// A node of the tree, in the order in which the tree is searched.
+// A node of the tree. The nodes are stored in the order in which the tree is searched.
 struct part_node {
     double low[3], high[3];
-    int skip;         // the node that follows everything below this one
-    int first, count; // parts of a leaf, in the tree's order; count is 0 if it is not a leaf
+    int skip;         // the node that follows all nodes below this one
+    int first, count; // the parts of a leaf; count is 0 if the node is not a leaf
 };
 
 struct part_scene {
@@ -38,13 +38,14 @@ double part_heap_blend(int count);
 // smaller they are, so the heap always looks much the same.
 void part_heap(int count, struct part *part);
 
-// A scene of count parts with its tree and grid, from reef_build or part_heap. Returns NULL if
-// there is not enough memory. Free with part_scene_free.
+// Build a scene of count parts, with a tree and a grid. Returns NULL if there is not enough memory.
+// Free the scene with part_scene_free.
+//   build  reef_build or part_heap
 struct part_scene *part_scene_build(void (*build)(int count, struct part *part), int count,
                                     double blend);
 void part_scene_free(struct part_scene *scene);
 
-// The distance, found with the tree.
+// The distance from p to the scene, found with the tree.
 //   hint   an upper bound on the distance; 1e9 if none is known
 //   asked  increased by the number of parts that were evaluated
 double part_tree_distance(const struct part_scene *scene, const double p[3], double hint,
@@ -63,7 +64,7 @@ struct part_result {
 struct part_result part_march(const struct part_scene *scene, enum part_means means,
                               const struct part_ray *ray);
 
-// The ray of a picture of the heap through the position x, y, each in [0, 1].
+// The ray through the position x, y, each in [0, 1], of a picture of the heap.
 struct part_ray part_heap_ray(double x, double y);
 
 // The mean number of parts that are evaluated for a ray of that picture, over PART_RAYS rays.

@@ -4,7 +4,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
-// cmocka needs the four above.
+// cmocka.h needs the four headers above.
 #include <cmocka.h>
 
 #include <math.h>
@@ -98,7 +98,7 @@ const char *png_file_random(const char *name, int width, int height, unsigned ch
     return path;
 }
 
-// The value of a sample when it is converted to 8 bits.
+// A sample converted to 8 bits.
 static unsigned char byte_of(unsigned sample, int depth)
 {
     return (unsigned char)floor(255.0 * sample / ((1 << depth) - 1) + 0.5);

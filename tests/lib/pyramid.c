@@ -26,7 +26,7 @@ static struct tetrahedron whole_pyramid(void)
     return t;
 }
 
-// The unit normal of the face opposite corner k, which points outwards.
+// The outward unit normal of the face opposite corner k.
 static struct d3 face_normal(const struct tetrahedron *t, int k)
 {
     struct d3 a = t->corner[(k + 1) % 4], b = t->corner[(k + 2) % 4], c = t->corner[(k + 3) % 4];

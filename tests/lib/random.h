@@ -8,8 +8,8 @@
 // bottom left.
 double random_of(int x, int y, int sample, int dimension);
 
-// Uniformly distributed: a number in a range; a point whose coordinates are all in the range; a
-// direction of length 1.
+// These functions return uniformly distributed values: a number in a range; a point whose
+// coordinates are all in the range; and a direction of length 1.
 double random_in(double low, double high);
 struct d3 random_point(double low, double high);
 struct d3 random_direction(void);

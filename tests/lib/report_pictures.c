@@ -7,8 +7,8 @@
 
 enum { FRAMES = 25, WARM_UP = 3 };
 
-// The engine's times were measured once, at 640x360. Their unit is the engine's time for its annex
-// scene, measured on the same machine and day.
+// The engine's times were measured once, at 640x360. Their unit is the engine's time for the annex
+// scene, measured on the same machine on the same day.
 const struct report_scene report_scenes[REPORT_SCENES] = {
     {.name = "boxes",
      .shader = "chapters/experiments/16_report_boxes.frag",
@@ -55,7 +55,7 @@ struct renderer_inputs report_inputs(const struct report_scene *scene, int width
         .width = width, .height = height, .camera = scene->camera, .samples = 1};
 }
 
-// A picture to be timed: the unit, or a variant of a scene.
+// A picture to be timed: the reference scene, which is the unit, or a variant of a scene.
 struct runner {
     struct renderer renderer;
     struct renderer_inputs inputs;

@@ -17,17 +17,17 @@ enum { REPORT_SCENES = 3, REPORT_SETTINGS = 2, REPORT_VARIANTS = 5 };
 struct report_scene {
     const char *name, *shader;
     struct camera camera;
-    const char *setting[REPORT_SETTINGS]; // NAME=VALUE or NULL
-    double engine;                        // time of the report's engine for the figure, in units
-    struct report_variant
-        variant[REPORT_VARIANTS]; // the first is the picture itself; the last name is NULL
+    const char *setting[REPORT_SETTINGS]; // NAME=VALUE, or NULL if unused
+    double engine; // time of the report's engine for the figure, in the unit of report_print
+    // The first is the picture itself. Unused elements have the name NULL.
+    struct report_variant variant[REPORT_VARIANTS];
 };
 
-// The boxes of figure 9, the pyramid of figure 10, the city of figure 11.
+// The boxes of figure 9, the pyramid of figure 10 and the city of figure 11.
 extern const struct report_scene report_scenes[REPORT_SCENES];
 
 // Load a scene.
-//   variant  one of its variants, or NULL for the picture itself
+//   variant  one of the scene's variants, or NULL for the picture itself
 // Returns false after reporting the error.
 bool report_load(struct renderer *renderer, const struct report_scene *scene,
                  const struct report_variant *variant);

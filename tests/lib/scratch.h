@@ -26,7 +26,7 @@ const char *scratch_write_bytes(const char *name, const void *bytes, size_t size
 void capture_begin(void);
 const char *capture_end(void);
 
-// The number of lines of a text; a last line without a line break counts.
+// The number of lines of a text; a last line without a line break counts too.
 int line_count(const char *text);
 
 #endif

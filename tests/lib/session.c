@@ -16,7 +16,7 @@ static struct {
     struct run *run; // NULL if no program is open
     char line[4096], *argument[ARGUMENTS + 1];
     struct said {
-        FILE *file;   // collects the program's output or its reports; NULL if it is not collected
+        FILE *file;   // collects the program's output or its reports; NULL if nothing is collected
         long fetched; // bytes of the file that session_said has returned
         int stream;   // a copy of the descriptor that the file replaces
     } said[2];
@@ -191,12 +191,12 @@ bool session_titled(const char *text)
 void session_assert_title(const char *text)
 {
     if (!session_titled(text))
-        give_up("the title is '%s', without '%s'", user.title, text);
+        give_up("the title is '%s', which does not contain '%s'", user.title, text);
 }
 
 // ---- What is shown ----
 
-// Fails the test unless a picture is the one that a chapter writes. Frees the picture.
+// Fails the test unless a chapter writes the same picture. Frees the picture.
 static void assert_written(const char *stem, const char *options, struct image *image)
 {
     char line[4096], said[4096];
@@ -210,8 +210,8 @@ static void assert_written(const char *stem, const char *options, struct image *
     image_free(&wanted);
     image_free(image);
     if (!compared || difference.f2 > 0.0)
-        give_up("not the picture of %s %s: a share of %g of the pixels differs", stem, options,
-                difference.f2);
+        give_up("this is not the picture of %s %s: a share of %g of the pixels differs", stem,
+                options, difference.f2);
 }
 
 void session_assert_shown(const char *stem, const char *options, ...)
@@ -233,7 +233,7 @@ void session_shoot(struct image *image)
     snprintf(name, sizeof name, "%s-%04d.png", session.chapter.stem, ++session.shots);
     snprintf(written, sizeof written, "%s: written", name);
     if (getcwd(root, sizeof root) == NULL || chdir(scratch_path("")) != 0)
-        give_up("no folder for screenshots");
+        give_up("the folder for screenshots cannot be used");
     session_key(GLFW_KEY_P);
     for (double end = user.now + 10.0; strstr(session_said(1), written) == NULL;) {
         if (user.now > end)

@@ -39,8 +39,8 @@ double shadow_share(shadow_blocked blocked, const void *data, struct d3 to_light
 
 // ---- The table of errors ----
 
-// Find the radius of a round object, half the angle at which it is seen from the point, and the
-// angle of its centre from the ray.
+// Find the radius of a round object, half the angle that it subtends at the point, and the angle
+// between its centre and the ray.
 static void round_thing(const struct shadow_case *scene, double *radius, double *half,
                         double *angle)
 {
@@ -49,18 +49,18 @@ static void round_thing(const struct shadow_case *scene, double *radius, double 
     *angle = *half + atan(scene->clear * SPREAD);
 }
 
-// The obstacle's distance from the point of the ray at t.
+// The distance to the obstacle from the point of the ray at t.
 static double obstacle_distance(const struct shadow_case *scene, double t)
 {
     if (scene->obstacle == SHADOW_SHEET) {
-        // The obstacle is everything that is at least as far away as the distance and on one side
-        // of a plane through the point and the edge. It is a wall and not a sheet, so that it has
-        // an inside.
+        // The obstacle is everything that is at least as far ahead as the edge and on one side of a
+        // plane through the point and the edge. It is a wall instead of a sheet, because it must
+        // have an inside.
         double edge = scene->clear * SPREAD * scene->distance;
         double ahead = scene->distance - t;
         double length = sqrt(1.0 + scene->clear * SPREAD * scene->clear * SPREAD);
         double beside = scene->clear * SPREAD * t / length; // from the side of the wall
-        double along = t / length;                          // along its side, from the point
+        double along = t / length;                          // along that side, from the point
         double corner = hypot(edge, scene->distance);
         if (beside <= 0.0)
             return ahead > 0.0 ? (edge <= 0.0 ? ahead : hypot(ahead, edge)) : fmax(ahead, beside);
@@ -147,7 +147,7 @@ static double cone_reaching(const struct shadow_case *scene)
     return fmax((smallest - 0.2) / 0.8, 0.0);
 }
 
-// The march that continues inside, with steps of at least 0.01 plus a fiftieth of the length.
+// The march that continues inside the object, with steps of at least 0.01 plus a fiftieth of t.
 static double on_inside(const struct shadow_case *scene)
 {
     double t = 0.0, smallest = 1.0;

@@ -8,10 +8,10 @@
 // Is there an object in a direction?
 typedef bool (*shadow_blocked)(struct d3 direction, const void *data);
 
-// The visible share of a lamp's disc: of those points of an n x n grid that lie on the disc, the
+// The visible share of a lamp's disc: among the points of an n x n grid that lie on the disc, the
 // share that nothing hides.
-//   to_light  length 1
-//   spread    radius of the disc, one unit away
+//   to_light  a unit vector
+//   spread    radius of the disc at a distance of 1
 double shadow_share(shadow_blocked blocked, const void *data, struct d3 to_light, double spread,
                     int n);
 
@@ -30,33 +30,35 @@ enum shadow_formula {
     SHADOW_MOST,   // the smallest distance / t
     SHADOW_LEAST,  // pairs of steps
     SHADOW_TWICE,  // pairs of steps, twice as hard: 1 if the edge is half a radius from the centre
-    SHADOW_SIGNED, // the smallest distance / t, with a march that continues inside
+    SHADOW_SIGNED, // the smallest distance / t, with a march that continues inside the object
     SHADOW_FORMULAS
 };
 
 extern const char *const shadow_obstacle_names[SHADOW_OBSTACLES];
 extern const char *const shadow_formula_names[SHADOW_FORMULAS];
 
-// One point of a floor, under a sun 29 degrees high, of radius 0.04.
+// One point of a floor, under a sun that is 29 degrees high and has radius 0.04.
 struct shadow_case {
     enum shadow_obstacle obstacle;
-    double distance; // to the obstacle along the ray to the lamp's centre, scene units
-    double clear; // distance of that ray from the obstacle's edge, in radii of the lamp; negative
+    double distance; // distance to the obstacle along the ray to the lamp's centre, scene units
+    double clear; // distance from that ray to the obstacle's edge, in radii of the lamp; negative
                   // if the obstacle blocks the ray
 };
 
-// The visible share of the lamp: in closed form for the sheet and the bar, by brute force for the
-// ball.
+// The visible share of the lamp: summed over chords of its disc for the sheet and the bar, and by
+// brute force for the ball.
 double shadow_truth(const struct shadow_case *scene);
 
 // The tangent of the angle between the lamp's centre and the obstacle's edge; negative if the
 // obstacle hides the centre.
 double shadow_clearance(const struct shadow_case *scene);
 
-// The visible share from a formula.
+// The visible share according to a formula.
 double shadow_quick(const struct shadow_case *scene, enum shadow_formula formula);
 
-// Find the two clearances of one march; both are 0 if an object stops the march.
+// Find the clearance of one march with two methods. Both values are 0 if an object stops the march.
+//   most   receives the smallest distance / t
+//   least  receives the smallest value from pairs of steps
 void shadow_march(const struct shadow_case *scene, double *most, double *least);
 
 // How far a formula is from the truth over a range twice as wide as the penumbra: clear from -2 to

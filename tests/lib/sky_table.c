@@ -57,8 +57,8 @@ static double height_of(int row)
     return s * s;
 }
 
-// The integral at an azimuth, given by its cosine. It takes most of the time, so it is kept for the
-// next method.
+// The integral at an azimuth, which is given by its cosine. The integration takes most of the time,
+// so the result is stored for the next method.
 static const struct truth *truth_at(double azimuth)
 {
     static struct truth truth = {.azimuth = 2.0};
@@ -155,15 +155,15 @@ static void print_hours(void)
     static const double suns[] = {48.4, 20.0, 5.0,   0.0,   -0.83, -4.0,
                                   -6.0, -8.0, -10.0, -12.0, -15.0, -18.0};
     printf(
-        "# light on level ground, lux: of the sky after one scattering, after more, of the sun, of "
-        "all these and the night sky, and as measured\n");
+        "# light on level ground, lux: from the sky after one scattering and after more, from the "
+        "sun, from all these and the night sky, and as measured\n");
     printf("sun,once,more,sun,all,measured\n");
     for (size_t i = 0; i < sizeof suns / sizeof suns[0]; i++) {
         struct sky_lux lux = sky_lux(suns[i]);
         printf("%g,%.3g,%.3g,%.3g,%.3g,%.3g\n", suns[i], lux.once, lux.more, lux.sun,
                lux.once + lux.more + lux.sun + lux.night, sky_measured_lux(suns[i]));
     }
-    printf("# the zenith, cd/m^2 and colour\n");
+    printf("# luminance of the zenith, cd/m^2, and its colour\n");
     printf("sun,zenith,x,y,no ozone,x,y\n");
     for (size_t i = 0; i < 10; i++) {
         printf("%g", suns[i]);

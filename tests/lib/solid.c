@@ -34,8 +34,8 @@ static struct d3 patch_at(const struct patch *patch, double u, double v)
 }
 
 // The squared distance from p to a piece. Start at the nearest point of a grid, which has no point
-// on the axis, and step towards any point that is nearer; the step is halved whenever there is
-// none. The remaining error is less than the last step.
+// on the axis, and step towards any point that is nearer; the step is halved whenever no point is
+// nearer. The remaining error is less than the last step.
 static double patch_distance(const struct patch *patch, struct d3 p)
 {
     double best = HUGE_VAL, u = 0.0, v = 0.0;
@@ -135,7 +135,7 @@ static void check_point(const struct solid *solid, const float *slot, struct tal
     bool outside = d > 0.0, exact = outside ? solid->exact_outside : solid->exact_inside;
     if (exact)
         tally->worst = fmax(tally->worst, fabs(f - d) / slack);
-    // The value is a lower bound on either side and has the right sign.
+    // The value must be a lower bound on either side and have the right sign.
     assert_true(outside ? f >= -slack && f <= d + slack : f <= slack && f >= d - slack);
     if (fabs(d) > 0.01)
         tally->least[outside] = fmin(tally->least[outside], f / d);
@@ -155,8 +155,8 @@ struct tally solid_check(struct solid *solid)
     for (int i = 0; i < SOLID_ITEMS; i++)
         check_point(solid, values + (size_t)4 * SOLID_SLOTS * (size_t)i, &tally);
     free(values);
-    print_message("# %s: %d outside, f/d from %.4f; %d inside, from %.4f; worst error %.2f of the "
-                  "rounding; steepest %.4f\n",
+    print_message("# %s: %d outside, f/d from %.4f; %d inside, from %.4f; worst error %.2f times "
+                  "the allowed error; steepest slope %.4f\n",
                   solid->name, tally.outside, tally.least[1], tally.inside, tally.least[0],
                   tally.worst, tally.steepest);
     assert_true(tally.inside > 20 && tally.outside > 500 && tally.worst <= 1.0);

@@ -1,5 +1,6 @@
 // solid.h - for tests of solids: a surface made of pieces, and the comparison of a solid's
-// distances in tests/shaders/solids.frag with the nearest point of its surface in double precision.
+// distances in tests/shaders/solids.frag with those to the nearest point of the surface, found in
+// double precision.
 #ifndef TESTS_SOLID_H
 #define TESTS_SOLID_H
 
@@ -25,9 +26,9 @@ enum {
 };
 enum { SOLID_ITEMS = 2048, SOLID_SLOTS = 2, SOLID_GRID = 24, SOLID_MOST = 16 };
 
-// A piece of a surface: a parallelogram origin + u side + v other, u and v in [0, 1]; or, if
-// turned, a segment or an arc of the half-plane x >= 0, rotated about the y axis: u along it, v
-// once around.
+// A piece of a surface: a parallelogram origin + u side + v other, with u and v in [0, 1]; or, if
+// turned, a segment or an arc of the half-plane x >= 0, rotated about the y axis. u then runs along
+// the segment or the arc, and v runs once around the axis.
 struct patch {
     bool turned, arc;
     struct d3 origin, side, other;          // of a parallelogram
@@ -50,19 +51,19 @@ struct solid {
 
 struct tally {
     int inside, outside;
-    double worst;    // |f - truth| where exact, in units of the slack
-    double least[2]; // f / truth: inside, outside
-    double steepest; // |f(p) - f(q)| / |p - q|
+    double worst;    // the largest |f - truth| where f is exact, in units of the slack
+    double least[2]; // the smallest f / truth: inside, outside
+    double steepest; // the largest |f(p) - f(q)| / |p - q|
 };
 
-// Each of these adds a piece to a surface: a parallelogram; a segment of the half-plane x >= 0,
-// rotated; the part with x >= 0 of a circle around (x, 0), rotated.
+// Each of these functions adds a piece to a surface: a parallelogram; a rotated segment of the
+// half-plane x >= 0; or the part with x >= 0 of a circle around (x, 0), rotated.
 void solid_add_flat(struct solid *solid, struct d3 origin, struct d3 side, struct d3 other);
 void solid_add_turned(struct solid *solid, double x0, double y0, double x1, double y1);
 void solid_add_turned_circle(struct solid *solid, double x, double radius);
 
-// The shader's values: SOLID_SLOTS points with their distances for each of SOLID_ITEMS. The caller
-// frees them.
+// The shader's values: for each of SOLID_ITEMS items, SOLID_SLOTS points with their distances. The
+// caller frees the values.
 float *solid_call(const struct solid *solid);
 
 // The allowed error of a distance: a few roundings of numbers no larger than the point and the

@@ -33,8 +33,7 @@ static bool read_contender(struct contender *contender, const char *argument, in
                   &camera->position[2], &camera->pan, &camera->tilt) == 5;
 }
 
-// CPU time of all threads of the process together, so that another program on the machine does not
-// count.
+// The CPU time of all threads of the process, which excludes other programs on the machine.
 static double cpu_seconds(void)
 {
     return platform_processor_seconds();
@@ -106,7 +105,8 @@ int speed_print(int argc, char **argv)
     if (argc < 4 || (argc > 4 && sscanf(argv[4], "%dx%d", &width, &height) != 2) ||
         !read_contender(&pair[0], argv[2], width, height) ||
         !read_contender(&pair[1], argv[3], width, height)) {
-        fputs("measure speed: expected FILE[@X,Y,Z,PAN,TILT] twice, then WxH or nothing\n", stderr);
+        fputs("measure speed: expected two arguments FILE[@X,Y,Z,PAN,TILT], then WxH or nothing\n",
+              stderr);
         return 2;
     }
     if (!measure_warm(pair) || !measure_cold(pair, gpu.root))

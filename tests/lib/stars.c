@@ -50,7 +50,7 @@ double stars_light(struct d3 direction, double width)
 {
     const struct star *star = stars_all();
     double radius = fmin(1.761 * width, 0.3536 / STAR_RINGS), sum = 0.0;
-    int low = 0, high = STAR_COUNT; // the first star with z > direction.z - radius
+    int low = 0, high = STAR_COUNT; // search for the first star with z > direction.z - radius
     while (low < high) {
         int middle = (low + high) / 2;
         if (star[middle].direction.z > direction.z - radius)

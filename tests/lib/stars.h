@@ -1,5 +1,5 @@
-// stars.h - the stars of shaders/night.glsl in double precision: where each star is and how bright
-// it is.
+// stars.h - the stars of shaders/night.glsl in double precision: the position and brightness of
+// each star.
 #ifndef TESTS_STARS_H
 #define TESTS_STARS_H
 
@@ -8,7 +8,7 @@
 enum { STAR_RINGS = 64, STAR_COUNT = 8 * STAR_RINGS * STAR_RINGS };
 
 struct star {
-    struct d3 direction; // length 1, in the stars' frame
+    struct d3 direction; // a unit vector, in the stars' frame
     double light;        // in the library's unit times steradians, for green
     double share;        // the share of the stars that are at least as bright
 };

@@ -1,5 +1,5 @@
-// system.h - operations on files that only tests need: system_posix.c, and system_windows.c if the
-// tests are built for Windows.
+// system.h - operations of the system that only tests need, in system_posix.c or, if the tests are
+// built for Windows, in system_windows.c.
 #ifndef TESTS_SYSTEM_H
 #define TESTS_SYSTEM_H
 
@@ -15,25 +15,25 @@ bool system_make_scratch(char path[PLATFORM_PATH]);
 
 bool system_make_folder(const char *path);
 
-// Open an empty file to write and read, which is deleted when it is closed. The test ends if no
-// such file can be made.
+// Open an empty file to write and read, which is deleted when it is closed. Ends the test program
+// if no such file can be made.
 FILE *system_open_scratch(void);
 
 // Remove a folder with everything in it.
 bool system_remove_folder(const char *path);
 
 // The number of files that this process has open; two calls give the same number unless a file was
-// left open in between. If the system has no /proc/self/fd, prints this and returns -1.
+// left open in between. If the system has no /proc/self/fd, says so and returns -1.
 int system_open_files(void);
 
 // Run one of the programs built with the tests, with a line of arguments, and read its output and
 // errors.
-//   text  receives the first size - 1 bytes of these
-// Returns the exit status of the program; the test ends if the program cannot be started.
+//   text  receives the first size - 1 bytes of this text
+// Returns the exit status of the program. Ends the test program if that program cannot be started.
 int system_run(const char *program, const char *arguments, char *text, size_t size);
 
-// Make a symbolic link, or a named pipe; the test ends if that fails. Returns false on a system
-// where ordinary users cannot make any, so that they cannot be tested.
+// Make a symbolic link, or a named pipe. Ends the test program if that fails. Returns false on a
+// system where ordinary users cannot make links or pipes, which therefore cannot be tested.
 bool system_make_link(const char *to, const char *path);
 bool system_make_pipe(const char *path);
 

@@ -10,8 +10,8 @@ bool system_make_scratch(char path[PLATFORM_PATH])
 {
     static int number;
     const char *parent = getenv("TEMP");
-    // The name may be taken: the id of an ended program is used again, and a killed program leaves
-    // its folder behind.
+    // The name may be taken: the id of an ended program is reused, and a killed program leaves its
+    // folder behind.
     bool made;
     do {
         snprintf(path, PLATFORM_PATH, "%s/march-test-%d-%d", parent != NULL ? parent : ".",
@@ -25,7 +25,8 @@ bool system_make_scratch(char path[PLATFORM_PATH])
     return resolved != NULL;
 }
 
-// tmpfile cannot be used, because Wine's may give the same file to two programs that run at once.
+// tmpfile cannot be used, because Wine's version may return the same file to two programs that run
+// at once.
 FILE *system_open_scratch(void)
 {
     static int number;
@@ -66,7 +67,7 @@ int system_open_files(void)
     return -1;
 }
 
-// The programs are run by cmd, which takes '/' for the beginning of an option.
+// The programs are run by cmd, which treats '/' as the beginning of an option.
 int system_run(const char *program, const char *arguments, char *text, size_t size)
 {
     char command[PLATFORM_PATH];

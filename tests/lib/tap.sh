@@ -1,13 +1,13 @@
 # shellcheck shell=bash
-# tap.sh - functions that the shell suites share. It is sourced from the project's root:
+# tap.sh - functions that the shell suites share. A suite sources this file from the project's root:
 #
 #   . tests/lib/tap.sh
 #   open_scratch
-#   check "name" COMMAND...     one TAP line: ok if the command succeeds
-#   plan                        the last line; fails if a line was 'not ok'
+#   check "name" COMMAND...     prints one TAP line: ok if the command succeeds
+#   plan                        prints the last line; fails if a line was 'not ok'
 #
-# It sets BUILD, scratch (a folder that is removed at the end) and the environment of the programs:
-# software rendering, and sanitizers with readable reports.
+# The file sets BUILD, scratch (a folder that is removed at the end) and the environment of the
+# programs: software rendering, and sanitizers with readable reports.
 
 export LC_ALL=C
 BUILD=${BUILD:-build}
@@ -19,7 +19,7 @@ tap_count=0
 tap_failed=0
 
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
-# Status 99 distinguishes an error that a sanitizer found from the program's own status 1.
+# Status 99 distinguishes an error found by a sanitizer from an error that the program reports with status 1.
 export ASAN_OPTIONS="${ASAN_OPTIONS:-intercept_tls_get_addr=0}:exitcode=99"
 export UBSAN_OPTIONS="${UBSAN_OPTIONS:+$UBSAN_OPTIONS:}exitcode=99:print_stacktrace=1"
 export LSAN_OPTIONS="${LSAN_OPTIONS:-suppressions=$root/tests/lib/lsan.supp:print_suppressions=0}"
@@ -35,7 +35,7 @@ close_scratch() {
     [ -n "$scratch" ] && chmod -R u+rwx "$scratch" && rm -rf "$scratch"
 }
 
-# ok NAME, not_ok NAME [REASON], skip NAME REASON: one TAP line each.
+# ok NAME, not_ok NAME [REASON], skip NAME REASON: each prints one TAP line.
 ok() {
     tap_count=$((tap_count + 1))
     printf 'ok %d - %s\n' "$tap_count" "$1"

@@ -8,7 +8,8 @@
 //   TESTS(gpu_setup, gpu_teardown)
 //
 // The tests run in the order in which they are written. If the environment variable ONE_TEST is
-// set, for example to a_ray_has_length_1, only this test runs; '*' in it matches any characters.
+// set, for example to a_ray_has_length_1, only the tests with this name run. A '*' in the name
+// matches any characters.
 #ifndef TESTS_TEST_H
 #define TESTS_TEST_H
 
@@ -43,7 +44,7 @@
     }
 
 // Used only by these macros.
-//   line  of the file, which orders the tests
+//   line  the test's line in the file; the tests run in the order of their lines
 void test_add(int line, const struct CMUnitTest *test);
 int test_run(CMFixtureFunction setup, CMFixtureFunction teardown);
 

@@ -14,7 +14,7 @@ struct user user;
 struct GLFWwindow {
     struct context context; // without a display
     GLuint framebuffer, texture;
-    int width, height;    // of the texture, pixels
+    int width, height;    // size of the texture, pixels
     double drawn, waited; // pixels drawn so far, and how many of these were waited for
 };
 
@@ -99,8 +99,8 @@ void user_resize(int width, int height)
 
 // ---- What the window shows ----
 
-// The window has no default framebuffer. Framebuffer 0 is replaced with one whose texture has the
-// window's size.
+// The window has no default framebuffer. Framebuffer 0 is replaced with a framebuffer whose texture
+// has the window's size.
 static void bind(GLenum target, GLuint framebuffer)
 {
     const struct gl *gl = &the.context.gl;
@@ -169,7 +169,7 @@ GLFWglproc glfwGetProcAddress(const char *name)
 
 // ---- The window ----
 
-// These functions have little to do.
+// In a test, these functions do little or nothing.
 // clang-format off
 int glfwInit(void) { return GLFW_TRUE; }
 void glfwTerminate(void) { user.hints = 0; }
@@ -334,7 +334,7 @@ void glfwSetWindowUserPointer(GLFWwindow *window, void *pointer)
     user.calls.pointer = pointer;
 }
 
-// glfwSet...Callback: each stores a function and returns the previous one.
+// glfwSet...Callback: each stores a function and returns the previous function.
 #define KEEP(name, type, member)                                                                   \
     type glfwSet##name##Callback(GLFWwindow *window, type callback)                                \
     {                                                                                              \

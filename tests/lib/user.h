@@ -17,11 +17,11 @@ enum { USER_HINTS = 32 };
 // What the test sets, and what the program has set.
 struct user {
     double now;             // time of the clock, seconds; waiting advances it
-    double pixel_seconds;   // time to draw one pixel, when the program waits for the drawing
+    double pixel_seconds;   // time to draw one pixel, added when the program waits for the drawing
     double pointer[2];      // position of the pointer, in units from the window's top left
-    int size[2];            // of the window, in units
+    int size[2];            // size of the window, in units
     int density;            // pixels per unit: 1, or 2 as on a Mac's Retina display
-    int position[2];        // of the window on its monitor
+    int position[2];        // position of the window on the desktop of both monitors
     bool unfocused, hidden; // the window lacks the keyboard focus; it is iconified
     void (*wait)(void);     // called at each wait for events, if not NULL
     const char *clipboard;  // text of the clipboard
@@ -56,8 +56,8 @@ void user_press(int key, int modifiers);
 void user_release(int key);
 void user_key(int key, int modifiers);
 
-// Type letters, one event each.
-//   text  ISO 8859-1
+// Type letters, with one event for each.
+//   text  in ISO 8859-1
 void user_type(const char *text);
 
 // Move the pointer to a position; press or release a button there.
@@ -67,7 +67,7 @@ void user_button(int button, int action);
 // Move the pointer to a position and click a button there once.
 void user_click(double x, double y, int button);
 
-// Move the pointer to a position, and from there with the left button held.
+// Move the pointer to (x, y), and drag it from there by (right, down) with the left button.
 void user_drag(double x, double y, double right, double down);
 
 // Turn the wheel by notches; away from the user is positive.

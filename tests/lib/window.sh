@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2034,SC2154
-# window.sh - starts a program in a window, presses keys, and takes and compares screenshots. It is sourced after tap.sh
-# and sets up a display.
+# window.sh - starts a program in a window, presses keys, and takes and compares screenshots. A suite sources this file
+# after tap.sh; the file sets up a display.
 
 chapter=01_normal_colouring
 still='-s 320x200 -c 1.65,1.6,3.4,-26,-23.5'
@@ -8,9 +8,9 @@ program='' window='' manager='' shots=0 picture='' stem=''
 
 # ---- Tools ----
 
-# eventually COMMAND...: wait until the command succeeds. After a minute it gives up, saves a screenshot next to the
-# suite's output and makes every later wait fail at once; the check that contains the wait, or the next check, ends the
-# suite.
+# eventually COMMAND...: waits until the command succeeds. After a minute, the function gives up, saves a screenshot
+# next to the suite's output and makes every later wait fail at once; the check that contains the wait, or the next
+# check, ends the suite.
 gave_up=''
 eventually() { [ -z "$gave_up" ] && { within 60 "$@" || give_up "$@"; }; }
 give_up() {
@@ -28,7 +28,7 @@ within() { # SECONDS COMMAND...: the last try comes after the deadline
         sleep 0.05
     done
 }
-# As in tap.sh, but a failed wait ends the suite, because the following checks would have nothing to look at.
+# Like check of tap.sh, but a failed wait ends the suite, because the following checks would have nothing to look at.
 check() { # NAME COMMAND...
     local name=$1
     shift
@@ -59,16 +59,16 @@ find_window() {
     [ -n "$window" ]
 }
 
-# openbox announces itself to others (wmctrl -m) before it has read its theme and fonts, and a window that asks to be
-# shown in between is never shown. The command that openbox runs at the end of its start tells us that it is ready.
+# openbox announces itself to other programs (wmctrl -m) before it has read its theme and fonts, and a window that asks
+# to be shown in between is never shown. The command that openbox runs once it has started shows that it is ready.
 manage() {
     rm -f "$scratch/managed"
     openbox --config-file "$scratch/openbox.xml" --startup "touch '$scratch/managed'" >/dev/null 2>&1 &
     manager=$!
     eventually [ -e "$scratch/managed" ] || echo '# openbox did not start'
 }
-# Restart the window manager if it has died. Without one, no window is listed, and the remains of a dead one make GLFW
-# 3.3 end a program.
+# Restart the window manager if it has died. Without a window manager, no window is listed, and the remains of a dead
+# window manager make GLFW 3.3 end a program.
 keep_managed() { kill -0 "$manager" 2>/dev/null || { echo '# openbox died' && manage; }; }
 
 # start STEM OPTION...: starts a program in a window, with a new folder for the files that it writes.
@@ -84,7 +84,8 @@ start() {
     opens
 }
 
-# Move the pointer into the corner of the screen, where no window opens, because over a panel it would open a tooltip.
+# Move the pointer into the corner of the screen, where no window opens, because a pointer over a panel would open a
+# tooltip.
 park() { xdotool mousemove 1279 1023; }
 
 # Wait until the program's window exists, has the focus and shows a picture. The window manager may take the focus back
@@ -100,13 +101,13 @@ focus() { xdotool windowfocus "$window" 2>/dev/null && focused; }
 focused() { [ "$(xdotool getwindowfocus 2>/dev/null)" = $((window)) ]; }
 unfocused() { ! focused; }
 
-# True if the first frame has been drawn: the pixels in the middle, which are not all sky at any size, no longer all
-# have the same colour.
+# True if the first frame has been drawn: the pixels in the middle, which show more than sky at any window size, no
+# longer all have the same colour.
 drawn() {
     [ "$(import -window "$window" -gravity center -crop 60x60%+0+0 -format %k info: 2>/dev/null)" -gt 1 ] 2>/dev/null
 }
 
-# Take a screenshot with P, and wait for its file, $picture.
+# Take a screenshot (key P), and wait for its file, $picture.
 shoot() {
     shots=$((shots + 1))
     picture=$scratch/run/$(printf '%s-%04d.png' "$stem" "$shots")
@@ -177,7 +178,7 @@ export LP_NUM_THREADS=2 # so that a slow picture is slow on any machine
 
 for tool in Xvfb openbox xdotool wmctrl import; do
     if ! command -v $tool >/dev/null; then
-        skip 'the interactive window' "no $tool on this machine: make setup"
+        skip 'the interactive window' "no $tool on this machine: make setup installs it"
         plan
         exit
     fi
@@ -188,8 +189,8 @@ if ! open_display; then
     plan
     exit
 fi
-# The window manager reacts to no buttons and keys. Otherwise, it would hold back a press until it had handled it, and a
-# key pressed later would arrive first.
+# The window manager reacts to no buttons or keys. Otherwise, it would delay each press of a button until it had handled
+# the press, and a key pressed later would arrive first.
 echo '<openbox_config xmlns="http://openbox.org/3.4/rc"><keyboard/><mouse/></openbox_config>' >"$scratch/openbox.xml"
 manage
 
