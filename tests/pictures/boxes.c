@@ -1,8 +1,9 @@
-// boxes.c - the panels over every chapter's picture, in every view, with short and long names of
-// keys, at sizes and scales that people use: none covers another, none is cut off, each letter is
-// in its panel and on no other letter, and the text of a slice or a plot stays visible. The help of
-// a row and a colour picker lie over the panels like notes: they are complete, and do not cover
-// their subject. Positions are compared; nothing is drawn.
+// boxes.c - tests the layout of the panels over every chapter's picture, in every view, with short
+// and long key names, at common sizes and scales. No panel covers another or is cut off, each
+// letter is inside its panel and does not overlap the letter before it, and the text of a slice or
+// a plot stays visible. The help for a row and the colour picker are notes, which are drawn over
+// the panels: each is complete and does not cover the rows that it belongs to. The test compares
+// positions; it draws no picture.
 #include <glob.h>
 
 #include "lib/test.h"
@@ -16,8 +17,8 @@
 
 enum { BACKS = 16 };
 
-// True if the keyboard's name of every key is as long as possible; otherwise it is as short as
-// possible.
+// True if each key's name on the keyboard is four letters long, the longest that the key list
+// accepts; otherwise it is one letter.
 static bool long_names;
 
 const char *glfwGetKeyName(int key, int scancode)
@@ -28,7 +29,7 @@ const char *glfwGetKeyName(int key, int scancode)
     return name;
 }
 
-// Any shader has the uniform that Tab changes, so that key is listed too.
+// Every shader appears to have the uniform that Tab changes, so the key list includes Tab.
 static GLint has_uniform(GLuint program, const GLchar *name)
 {
     (void)program, (void)name;
@@ -36,17 +37,17 @@ static GLint has_uniform(GLuint program, const GLchar *name)
 }
 static const struct gl gl = {.GetUniformLocation = has_uniform};
 
-// ---- What is judged ----
+// ---- Checks of the layout ----
 
 static struct overlay overlay;
 static const struct window_start start;
-static struct window window = {.start = &start}; // which lists its keys
+static struct window window = {.start = &start}; // provides the key list
 
-// A panel, from its background on.
+// A panel, found by its background.
 struct back {
     struct overlay_rectangle box;
-    int first; // of the rectangles in it
-    bool note; // it lies over the panels: its background has a dark one below
+    int first; // index of the first rectangle in the panel, after the background
+    bool note; // the panel is a note: a dark box of the same size is below its background
 };
 static struct back backs[BACKS];
 static int back_count;
@@ -68,7 +69,7 @@ static bool is_box(const struct overlay_rectangle *box, int grey, int opacity)
            box->colour.channel[3] == opacity;
 }
 
-// The panels are the boxes in the background's colour.
+// Find the panels: each begins with a box in the background colour.
 static void find_backs(void)
 {
     back_count = 0;
@@ -81,7 +82,8 @@ static void find_backs(void)
     }
 }
 
-// Consecutive letters in a line do not overlap, and neither do lines.
+// True if two consecutive letters do not overlap: they are side by side in one line, or their lines
+// are at least 10 units apart.
 static bool parted(const struct overlay_rectangle *a, const struct overlay_rectangle *b)
 {
     float down = fabsf(a->top - b->top);
@@ -89,8 +91,8 @@ static bool parted(const struct overlay_rectangle *a, const struct overlay_recta
                         : down >= 10.0f;
 }
 
-// Each letter is in the most recent panel, and not on the letter before it.
-//   typed  a field covers a row
+// Check that each letter is inside the most recent panel and does not overlap the letter before it.
+//   typed  a text field covers a row, so letters may overlap
 static void judge_letters(const char *where, bool typed)
 {
     const struct overlay_rectangle *before = NULL;
@@ -127,9 +129,9 @@ static void judge(const char *where, bool typed)
     judge_letters(where, typed);
 }
 
-// The text of a slice or a plot: the axis along the ray, the ray with its numbers, and the graph,
-// which the keys and an error may cover while they are shown.
-//   passing  the number of such panels, which come first
+// Check that no panel covers the text of a slice or a plot: the axis along the ray, the ray with
+// its numbers, and the graph. Notes may cover all three, and the keys may cover the last two.
+//   passing  the number of key panels, which come first: 0 or 1
 static void judge_slice(const char *where, enum shader_view view, int passing)
 {
     if (!shader_shows_ray(view))
@@ -149,7 +151,9 @@ static void judge_slice(const char *where, enum shader_view view, int passing)
                          (const char *[]){"axis", "ray", "graph"}[k]);
 }
 
-// A note leaves its rows free, and contains everything that it shows.
+// Check that the last panel is a note, that it does not cover the rows that it belongs to, and that
+// its background contains everything drawn in it.
+//   first, behind  the rows from first to behind - 1
 static void judge_note(const char *where, const struct panel_rows *rows, int first, int behind)
 {
     const struct back *note = back_count > 0 ? &backs[back_count - 1] : NULL;
@@ -164,11 +168,11 @@ static void judge_note(const char *where, const struct panel_rows *rows, int fir
                                               .right = row->left + row->width,
                                               .bottom = row->top + row->height - 3.0f};
         if (meet(&note->box, &box))
-            fail_msg("%s: a note covers its row %d", where, i);
+            fail_msg("%s: the note covers row %d, to which it belongs", where, i);
     }
     for (int i = note->first; i < overlay.count; i++)
         if (!inside(&overlay.rectangle[i], &note->box))
-            fail_msg("%s: a note is larger than its background", where);
+            fail_msg("%s: the note extends beyond its background", where);
 }
 
 // ---- A picture of a chapter ----
@@ -187,7 +191,8 @@ static void gather(struct panel *panel, const struct way *way)
     panel_gather(panel, &overlay, way->size[0], way->size[1], way->scale);
 }
 
-// Try the help for one row: that of a parameter, or the reason why a field rejects its text.
+// Try the help for one row: the meaning of its parameter, or the reason why a field rejects the
+// typed text.
 static void try_help(struct panel panel, const struct way *way, int turn)
 {
     struct panel_rows *rows = panel.rows;
@@ -209,10 +214,10 @@ static void try_help(struct panel panel, const struct way *way, int turn)
     for (int i = backs[back_count - 1].first; i < overlay.count; i++)
         written += overlay.rectangle[i].letter != 0 && overlay.rectangle[i].letter != ' ';
     if (written != letters)
-        fail_msg("%s: of %zu letters of the help, %zu are drawn", way->where, letters, written);
+        fail_msg("%s: the help has %zu letters, but %zu are drawn", way->where, letters, written);
 }
 
-// Try the picker of a colour, and a full field.
+// Try the colour picker, and a text field full of digits.
 static void try_colour(struct panel panel, const struct way *way, int turn)
 {
     int count = comparison_parameter_count(panel.renderer), first = -1, behind = 0;
@@ -236,11 +241,12 @@ static void try_colour(struct panel panel, const struct way *way, int turn)
     if (picker.width > 0.0f)
         judge_note(way->where, rows, first, behind);
     else if (first >= 0 && rows->row[first].swatch > 0.0f)
-        fail_msg("%s: a colour has no picker", way->where);
+        fail_msg("%s: the colour has no picker", way->where);
 }
 
-// Try the picture with keys of long and short names and without keys, with a ray and without, on
-// either side. Every third case has a colour, so each size has it, with and without keys.
+// Try a picture with short key names, with long ones and without keys, with and without a ray, and
+// with the panel on either side. Every third case also tries a colour, so colours are tried at each
+// size, with and without keys.
 static void try_picture(struct renderer *chapter, const char *name, const int size[2], float scale)
 {
     static struct probe probe = {.steps = 40, .all_steps = 60, .recorded = true};
@@ -274,7 +280,7 @@ static void try_picture(struct renderer *chapter, const char *name, const int si
         gather(&panel, &way);
         snprintf(way.where, sizeof way.where, "%s, %s, %dx%d at %g%s%s%s", name,
                  shader_view_name(chapter->view), size[0], size[1], (double)scale,
-                 helps ? ", keys" : "", ray ? ", with a ray" : "", right ? ", at the right" : "");
+                 helps ? ", keys" : "", ray ? ", with a ray" : "", right ? ", on the right" : "");
         judge(way.where, false);
         judge_slice(way.where, chapter->view, helps);
         try_help(panel, &way, turn + (int)chapter->view);

@@ -1,5 +1,5 @@
-// frames.c - chapters/experiments/16_frame_*.frag: faster frames show the pictures of their
-// chapters.
+// frames.c - tests that the faster frames, chapters/experiments/16_frame_*.frag, look like the
+// pictures of their chapters.
 #include "lib/test.h"
 #include "lib/coarse.h"
 #include "lib/compare.h"
@@ -47,8 +47,9 @@ TEST(test_the_pyramid_looks_as_in_its_chapter)
                 "chapters/experiments/16_frame_06.frag");
 }
 
-// If a march may end anywhere within a threshold as wide as a pixel, no other march draws the same
-// picture. If it ends exactly at the threshold, the coarse pass draws the same.
+// If a march may end anywhere within a threshold as wide as a pixel, its picture depends on where
+// the rays start. This frame's march ends exactly at the threshold, so its picture is the same with
+// and without the coarse pass.
 TEST(test_the_city_does_not_depend_on_where_rays_begin)
 {
     static const char frame[] = "chapters/experiments/16_frame_09.frag";
@@ -67,8 +68,8 @@ TEST(test_the_city_does_not_depend_on_where_rays_begin)
     }
 }
 
-// The city's distance, with shared terms computed once, is that of city.glsl: the chapter's own
-// march draws the same picture over either.
+// The frame writes the city's distance out, so that shared terms are computed once. With the
+// chapter's own march, this distance gives the same picture as that of city.glsl.
 TEST(test_the_distance_written_out_is_the_same)
 {
     struct renderer_inputs inputs = {.width = 640, .height = 360, .time = 1.0f, .samples = 1};

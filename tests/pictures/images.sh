@@ -1,30 +1,31 @@
 #!/bin/bash
-# images.sh [PICTURE...] - every picture of tests/pictures/images.txt compared with its reference; the own pictures of
-# every fourth chapter through every backend, and the backends with each other. With arguments, only those pictures,
-# such as 03_shadows or 03_shadows-steps, each through every backend. Solutions of exercises are left to CI=1. ALL=1
-# adds the pictures 'smooth', which average nine samples of a chapter's own picture and take as long as nine, and draws
-# every chapter through every backend. CHAPTERS_ONLY=1 draws only the chapters' own pictures.
+# images.sh [PICTURE...] - draws every picture of tests/pictures/images.txt and compares it with its reference. Every
+# fourth chapter's own picture is drawn through every backend, and the backends are compared with each other. With
+# arguments, such as 03_shadows or 03_shadows-steps, only those pictures are drawn, each through every backend. Without
+# arguments, solutions of exercises are drawn only with CI=1 or ALL=1. ALL=1 also adds the 'smooth' pictures, which
+# average nine samples per pixel and take nine times as long, and draws every chapter through every backend.
+# CHAPTERS_ONLY=1 draws only the chapters' own pictures.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 
 failures=build/test-failures
-# A picture that measures the rounding of the machine that draws it: two right ones may differ. It is only drawn here;
-# measure.c tests its numbers.
+# This picture shows the rounding errors of the machine that draws it, so two correct copies may differ. It is only
+# drawn here; tests/shaders/measure.c tests the errors.
 measured=01_normal_colouring-normal-error
 
-# Draw the pictures of each backend: a chapter's own pictures with the chapter's program, as a user starts it, all
-# others in one process, build/tests/draw, which has the programs' code. Leaves NAME.BACKEND.png and, for each of the
-# others, a line of numbers; prints the name of the current picture, so that tests/run sees that the suite makes
-# progress.
+# Draw pictures through a backend: a chapter's own picture with the chapter's program, as a user starts it, and all
+# others with build/tests/draw, which draws many in one process with the programs' code. Each picture is written to
+# NAME.BACKEND.png, and draw also writes a line of numbers. draw_rest prints the name of each picture when it is done,
+# so that tests/run sees that the suite makes progress.
 draw_by_program() { # NAME BACKEND
     local options
     options=$(sed -n "s/^$1 - //p" "$scratch/list")
-    # shellcheck disable=SC2086 # options are words
+    # shellcheck disable=SC2086 # the options are separate words
     "$BUILD/$1" $options -b "$2" -o "$scratch/$1.$2.png" >/dev/null 2>"$scratch/$1.$2.err" ||
         rm -f "$scratch/$1.$2.png"
 }
-draw_rest() { # BACKEND PART: every second one
+draw_rest() { # BACKEND PART: every second picture, starting with index PART (0 or 1)
     awk -v part="$2" '$2 != "-" && n++ % 2 == part { print $1 "-" $2 }' "$scratch/list" |
         "$BUILD/tests/draw" "$1" "$scratch" 2>"$scratch/$1.$2.errors" |
         while read -r said; do
@@ -33,11 +34,11 @@ draw_rest() { # BACKEND PART: every second one
         done 3>"$scratch/$1.$2.numbers"
 }
 
-# One picture through one backend, compared with its reference: prints a result.
+# Compare one backend's picture with its reference, and print the result.
 judge() { # NAME BACKEND
     local actual=$scratch/$1.$2.png reference=tests/references/$1.png said same='' numbers kept
     if [ ! -e "$reference" ]; then
-        echo "not ok $1, $2: $reference is missing: make references"
+        echo "not ok $1, $2: $reference is missing: run make references"
         return
     fi
     said=$(grep -h " $1 " "$scratch/$2".[01].numbers 2>/dev/null)
@@ -64,7 +65,7 @@ judge() { # NAME BACKEND
     echo "not ok $1, $2: $numbers: see $kept.{expected,actual,difference}.png"
 }
 
-# The program writes equal pixels as equal files.
+# Compare the files of several backends: the program writes equal pixels as equal files.
 judge_backends() { # NAME FIRST OTHER...
     local name=$1 first=$2 other
     shift 2
@@ -91,7 +92,7 @@ fi
 
 open_scratch
 
-# Which pictures.
+# List the requested pictures.
 grep -v '^ *\(#\|$\)' tests/pictures/images.txt | while read -r stem variant options; do
     name=$stem
     [ "$variant" = - ] || name=$stem-$variant
@@ -107,7 +108,7 @@ check "tests/pictures/images.txt lists the requested pictures" [ "$count" -ge "$
 [ "$count" -gt 0 ] || { plan; exit; }
 stem=$(cut -d ' ' -f 1 "$scratch/list" | tail -n 1)
 
-# Which backends.
+# Find the backends that work on this machine.
 open_display || no_display='no Xvfb on this machine, or it did not start'
 backends=()
 for backend in egl osmesa glfw; do
@@ -123,9 +124,9 @@ done
 check "at least one backend renders" [ ${#backends[@]} -gt 0 ] || { plan; exit; }
 all=("${backends[@]}") # the backends that draw all pictures
 [ $# != 0 ] || all=("${backends[0]}")
-# The backends share a driver, so the own pictures of every fourth chapter show that they agree.
+# The backends share a driver, so every fourth chapter's own picture is enough to show that they agree.
 everywhere() { [ $asked != 0 ] || [ -n "${ALL-}" ] || [ $((10#${1%%_*} % 4)) = 0 ]; } # NAME
-# Two at a time: with one thread each, they disturb each other least.
+# Two processes run at a time. With one thread each, they slow each other down least.
 export LP_NUM_THREADS=1
 {
     for backend in "${all[@]}"; do
@@ -156,10 +157,10 @@ while read -r line; do
     esac
 done <"$scratch/results"
 
-awk '/ largest [0-9]/ { all++; none += !/ differ / } END { printf "# %d pictures, %d with no pixel different\n", all, none }' \
+awk '/ largest [0-9]/ { all++; none += !/ differ / } END { printf "# %d pictures, %d identical to their references\n", all, none }' \
     "$scratch/results"
 
-# A reference that no line produces is a picture that nothing tests.
+# A reference without a line in images.txt would not be tested.
 if [ $# = 0 ]; then
     unlisted=
     for file in tests/references/*.png; do
@@ -169,13 +170,13 @@ if [ $# = 0 ]; then
             END { exit !found }' tests/pictures/images.txt || unlisted="$unlisted $name"
     done
     if [ -z "$unlisted" ]; then
-        ok "every reference has its line in tests/pictures/images.txt"
+        ok "every reference has a line in tests/pictures/images.txt"
     else
-        not_ok "every reference has its line in tests/pictures/images.txt" "not listed:$unlisted"
+        not_ok "every reference has a line in tests/pictures/images.txt" "not listed:$unlisted"
     fi
 fi
 
-# A picture is a function of its options only.
+# A picture depends only on its options.
 here=$PWD
 render() { # FILE ARGUMENT...
     local file=$1
@@ -189,14 +190,14 @@ with_threads() {
     LP_NUM_THREADS=1 render "$scratch/a.png" && LP_NUM_THREADS=3 render "$scratch/b.png" &&
         cmp -s "$scratch/a.png" "$scratch/b.png"
 }
-check "the same picture by one thread and by three" with_threads
+check "one thread and three threads draw the same picture" with_threads
 
-# The camera turns by half a radian per second: once around in 4 pi seconds.
+# The camera turns at half a radian per second, so it completes a turn in 4 pi seconds.
 program=00_first_scene
 comes_round() {
     render "$scratch/t0.png" -t 0 && render "$scratch/t3.png" -t 12.566370614 &&
         build/tests/compare "$scratch/t0.png" "$scratch/t3.png" >/dev/null
 }
-check "chapter 00: after 4 pi seconds the camera is back" comes_round
+check "chapter 00: the camera is back at its start after 4 pi seconds" comes_round
 
 plan

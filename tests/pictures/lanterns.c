@@ -1,5 +1,5 @@
-// lanterns.c - chapter 07's field of lanterns: every step that the probe lists is compared with the
-// distance to all lanterns nearby, in double precision.
+// lanterns.c - tests chapter 07's field of lanterns: compares every step that the probe lists with
+// the distance to the nearest lantern, computed in double precision.
 #include "lib/test.h"
 #include "lib/cell.h"
 #include "lib/gpu.h"
@@ -33,7 +33,7 @@ static double ball(const struct lantern *lantern, struct d3 p)
     return d3_length(d3_sub(p, lantern->middle)) - 0.34 * lantern->size;
 }
 
-// The vector from the nearest point of the twelve edges to p, edge by edge.
+// The vector to p from the nearest point on the lantern's twelve edges, all of which are tried.
 static struct d3 from_edges(const struct lantern *lantern, struct d3 p)
 {
     struct d3 q = d3_sub(p, lantern->middle), best = {1e9, 0.0, 0.0};
@@ -56,7 +56,7 @@ static double frame(const struct lantern *lantern, struct d3 p)
     return d3_length(from_edges(lantern, p)) - 0.05;
 }
 
-// The truth: the nearest of 49 lanterns.
+// The true distance: that to the nearest of the 7 x 7 lanterns around p.
 static double brute_distance(struct d3 p)
 {
     int x = (int)floor(p.x / period + 0.5), z = (int)floor(p.z / period + 0.5);
@@ -68,11 +68,11 @@ static double brute_distance(struct d3 p)
     return nearest;
 }
 
-// What the rows of all tables show.
+// The totals and extremes of the probe's tables, which have one row per step.
 struct rows {
     int rays, hits, rows;
-    double over; // the largest excess of a step over the truth
-    int longest; // steps of a ray
+    double over; // the largest excess of a step over the true distance
+    int longest; // the number of steps of the longest march
 };
 
 static void check_rays(bool capped, struct rows *rows)
@@ -96,13 +96,13 @@ static void check_rays(bool capped, struct rows *rows)
         }
 }
 
-TEST(test_no_step_is_longer_than_the_way_to_any_lantern)
+TEST(test_no_step_is_longer_than_the_distance_to_any_lantern)
 {
     struct rows capped = {0}, own = {0};
     check_rays(true, &capped);
     check_rays(false, &own);
-    print_message("# %d rays, %d hits, %d steps: the longest march %d; over the truth by at most "
-                  "%.1e, without the cap by %.2f\n",
+    print_message("# %d rays, %d hits, %d steps, at most %d per ray; steps exceed the true "
+                  "distance by at most %.1e, and without the cap by up to %.2f\n",
                   capped.rays, capped.hits, capped.rows, capped.longest, capped.over, own.over);
     assert_true(capped.over < 1e-5 && own.over > 0.2);
     assert_true(capped.hits > 30 && capped.hits < capped.rays / 2);

@@ -1,5 +1,5 @@
-// panorama.c - the clouds of chapter 20 are its panorama, rotated; and no seam is visible where the
-// panorama ends, but the hardware's derivatives draw one.
+// panorama.c - tests that the clouds of chapter 20 are its panorama, rotated, and that no seam is
+// visible where the panorama ends, whereas the hardware's derivatives cause one.
 #include "lib/test.h"
 #include "picture/image.h"
 #include "lib/gpu.h"
@@ -11,7 +11,8 @@ enum { WIDTH = 640, HEIGHT = 360 };
 
 static const double rise = 0.56;
 
-// Draw a shader that includes the chapter, with the starting camera turned by an angle.
+// Draw a shader that includes the chapter, with the chapter's starting camera turned by pan
+// degrees. The caller frees the result.
 static float *numbers_of(const char *text, double pan)
 {
     struct renderer_inputs inputs = gpu_inputs(WIDTH, HEIGHT, 1);
@@ -25,7 +26,7 @@ static float *numbers_of(const char *text, double pan)
     "#include \"main.glsl\"\n#define rayColour chapterColour\n"                                    \
     "#include \"20_clouds_and_weather.frag\"\n#undef rayColour\n"
 
-// Linear interpolation between four texels, with the numbers stored in the file.
+// Bilinear interpolation between four texels, with the values stored in the file.
 static double texel_at(const struct image_bytes *image, double u, double v, int channel)
 {
     double x = u * image->width - 0.5, y = (1.0 - v) * image->height - 0.5, i = floor(x);
@@ -39,7 +40,7 @@ static double texel_at(const struct image_bytes *image, double u, double v, int 
 }
 
 // Between 9 and 16 degrees above the horizon, a pixel is smaller than a texel, so level 0 is read.
-// The driver's weights have 8 bits, so the tolerance is three steps of 1/256.
+// The driver's interpolation weights have 8 bits, so the tolerance is three steps of 1/256.
 TEST(test_clouds_are_the_panorama_turned)
 {
     struct image_bytes image = {0};
@@ -74,12 +75,13 @@ TEST(test_clouds_are_the_panorama_turned)
         }
     free(values);
     free(image.value);
-    print_message("# %d points of the panorama: worst %.4f\n", count, worst);
+    print_message("# %d points of the panorama: largest error %.4f\n", count, worst);
     assert_true(count > 500 && spread > 0.9 && worst < 3.0 / 256.0);
 }
 
-// High up, a texel is narrower in the sky than it is high. If the rim of a cloud lay between two
-// texels, it would be a staircase, so the change is spread over a width equal to the height of one.
+// High in the sky, a texel is narrower than it is high. If the rim of a cloud were a sudden change
+// from one texel to the next, it would look like a staircase, so the change is spread over a width
+// that equals a texel's height.
 TEST(rims_of_clouds_are_no_stairs)
 {
     static const char *const names[] = {"clouds_fair", "clouds_storm"};
@@ -90,13 +92,13 @@ TEST(rims_of_clouds_are_no_stairs)
         snprintf(path, sizeof path, "%s/shaders/textures/%s.png", gpu.root, names[i]);
         assert_true(image_read_bytes(&image, path, 3, 1 << 22, why));
         for (int y = 0; y < image.height / 2; y++) {
-            double v = 1.0 - (y + 1.5) / image.height; // of the row below, whose texels are wider
+            double v = 1.0 - (y + 1.5) / image.height; // the row below, whose texels are wider
             double high = MIRROR_PI * v / image.height;
             double wide = 2.0 * MIRROR_PI * cos(0.5 * MIRROR_PI * v * v) / image.width;
             for (int x = 0; x < 3 * image.width; x++) {
                 const unsigned char *row = image.value + 3 * image.width * y;
                 int change = abs(row[x] - row[(x + 3) % (3 * image.width)]);
-                worst = fmax(worst, (change - 1) / 255.0 * high / wide); // 1 for the rounding
+                worst = fmax(worst, (change - 1) / 255.0 * high / wide); // - 1 for the rounding
             }
         }
         free(image.value);
@@ -106,8 +108,9 @@ TEST(rims_of_clouds_are_no_stairs)
     }
 }
 
-// The largest mean difference, over the rows of the sky, between a column and the next: at the
-// seam, and at all others within this many columns of it.
+// Find the largest difference between a column and the next, averaged over the rows of the sky.
+//   across  receives the largest within two columns of the seam
+//   beside  receives the largest of all others within 60 columns of the seam
 static void steps_at(const float *values, int seam, double *across, double *beside)
 {
     *across = *beside = 0.0;
@@ -124,7 +127,7 @@ static void steps_at(const float *values, int seam, double *across, double *besi
 }
 
 // If the camera is turned three degrees past the end of the panorama, the panorama ends three
-// degrees to the left of the middle: 360 tan(3 degrees) pixels.
+// degrees to the left of the middle, which is 360 tan(3 degrees) pixels.
 TEST(test_no_seam_is_drawn)
 {
     double across, beside;
@@ -132,12 +135,12 @@ TEST(test_no_seam_is_drawn)
     float *values = numbers_of("#include \"20_clouds_and_weather.frag\"\n", 3.0);
     steps_at(values, seam, &across, &beside);
     free(values);
-    print_message("# mended: %.4f across the seam, %.4f beside it\n", across, beside);
+    print_message("# chapter's footprint: %.4f across the seam, %.4f beside it\n", across, beside);
     assert_true(across <= beside);
     values = numbers_of("#include \"experiments/20_seam.frag\"\n", 3.0);
     steps_at(values, seam, &across, &beside);
     free(values);
-    print_message("# the hardware's: %.4f across the seam, %.4f beside it\n", across, beside);
+    print_message("# hardware's footprint: %.4f across the seam, %.4f beside it\n", across, beside);
     assert_true(across > 2.0 * beside);
 }
 

@@ -1,7 +1,7 @@
 #version 330 core
-// The unit of `make benchmark`: a scene like the one at the end of the report, in our own words. A ball in the frame of
-// a box, 60 steps at most, a normal from six distances, one sun, a camera that turns. It never changes, because
-// otherwise no earlier measurement could be compared with a new one.
+// The scene whose time is the unit of `make benchmark`. It resembles the scene at the end of the report, but the code
+// is our own: a ball in the frame of a box, at most 60 steps, a normal from six distances, one sun and a moving camera.
+// It never changes, because otherwise no earlier measurement could be compared with a new one.
 
 in vec2  FragCoord;
 in float Time;
@@ -31,7 +31,7 @@ vec3 normalAt(vec3 p)
                           sceneDistance(p + z) - sceneDistance(p - z)));
 }
 
-// Where the ray meets the scene, or -1 if it does not.
+// The distance along the ray to its hit, or -1 if it has none.
 float march(vec3 origin, vec3 direction)
 {
     float t = 0.0;

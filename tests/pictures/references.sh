@@ -1,11 +1,11 @@
 #!/bin/bash
-# references.sh MODE - every picture of tests/pictures/images.txt, from the project's folder.
+# references.sh MODE - renders every picture of tests/pictures/images.txt. Run it from the project's folder.
 #
-#   gallery  render each into build/gallery/
-#   update   render each in software; one outside its tolerance replaces tests/references/NAME.png
-#            and its two numbers are printed (FORCE=1 in the environment replaces each whose pixels
-#            differ)
-#   gpu      render each with this machine's graphics processor, and print how far from the reference it is
+#   gallery  render each picture into build/gallery/
+#   update   render each picture in software. A picture without a reference becomes tests/references/NAME.png; one
+#            outside the tolerance replaces its reference, and the differences are printed. (FORCE=1 in the environment
+#            replaces every reference whose pixels differ.)
+#   gpu      render each picture with this machine's graphics processor, and print how far it is from its reference
 #
 # CHAPTER=03 in the environment leaves out the pictures of the other chapters.
 set -u
@@ -34,7 +34,7 @@ fi
 
 rewritten=0 new=0 kept=0 within=0 outside=0
 
-# update NAME PICTURE: keep or replace the stored picture.
+# update NAME PICTURE: create, keep or replace the reference.
 update() {
     local stored=$references/$1.png numbers status
     if [ ! -e "$stored" ]; then
@@ -58,7 +58,7 @@ update() {
     echo "$1: rewritten: ${numbers:-could not be compared}"
 }
 
-# judge NAME PICTURE: how far a GPU's picture is from the stored one.
+# judge NAME PICTURE: print how far the GPU's picture is from its reference.
 judge() {
     local numbers status
     numbers=$(build/tests/compare "$references/$1.png" "$2")
@@ -94,7 +94,7 @@ while read -r stem variant options; do
     esac
 done <tests/pictures/images.txt
 
-# The engine of docs/engine.md draws its last picture itself.
+# The picture engine_5 is drawn by the engine of docs/engine.md, not by a chapter's program.
 names="${names}engine_5 "
 if [ "$mode" = update ] && [ -z "$chapter" ]; then
     build/first_steps/engine_6 -o "$folder/engine_5.png" chapters/first_steps/engine_5.frag shaders/textures/plank.png || exit 1
@@ -107,7 +107,7 @@ update)
         name=$(basename "$stored" .png)
         case $names in
         *" $name "*) ;;
-        *) echo "$stored: no line of tests/pictures/images.txt makes it: remove it" >&2 ;;
+        *) echo "$stored: no line of tests/pictures/images.txt produces this picture: remove it" >&2 ;;
         esac
     done
     echo "$kept kept, $rewritten rewritten, $new new"

@@ -1,12 +1,12 @@
-// report_pictures.c - the pictures of docs/benchmark.md compared with the report's figures:
-// outlines, shadows and lawns pass between the same pixels as in the figure.
+// report_pictures.c - compares the pictures of docs/benchmark.md with the report's figures: the
+// edges of objects, shadows and lawns lie between the same pixels as in the figure.
 #include "lib/test.h"
 #include "lib/report_pictures.h"
 
-// The figures are 864x606 with a title of 30 rows; row 0 is the top.
+// The figures are 864x606 pixels, of which the top 30 rows are the title; row 0 is the top.
 enum { WIDTH = 864, HEIGHT = 576, TITLE = 30 };
 
-// Two pixels of a printed figure, between which the object that covers the first one ends.
+// Two pixels of a printed figure, on either side of an edge.
 struct pixel {
     int x, y;
 };
@@ -27,7 +27,7 @@ static const float *pixel_at(const float *pixels, struct pixel pixel)
     return pixels + 4 * ((HEIGHT - 1 - (pixel.y - TITLE)) * WIDTH + pixel.x);
 }
 
-// In the view of depths a grey is a hit, and the blue of VIEW_NOTHING a miss.
+// In the depth view, a grey pixel is a hit, and a pixel in the blue of VIEW_NOTHING is a miss.
 static double solid(const float *colour)
 {
     return colour[0] == colour[2] ? 1.0 : 0.0;
@@ -48,7 +48,8 @@ static double yellow(const float *colour)
     return (double)colour[0] / (double)colour[2];
 }
 
-// Check that the first value of every pair is larger by the factor.
+// Check that, at every edge, the measure of the inner pixel is more than factor times that of the
+// outer pixel.
 static void assert_borders(const float *pixels, const struct border *border, size_t count,
                            double (*measure)(const float *), double factor)
 {
@@ -93,7 +94,8 @@ TEST(test_pyramid_is_as_in_figure_10)
     free(pixels);
 }
 
-// The lamp and the lawns. The towers are as wide as in the figure, but their heights differ.
+// Only the lamp and the lawns are compared: the towers are as wide as in the figure, but their
+// heights differ.
 TEST(test_lamp_and_lawns_are_as_in_figure_11)
 {
     static const struct border globe[] = {{{374, 322}, {374, 280}},

@@ -1,5 +1,6 @@
-// rough_stones.c - the carved stones of chapter 12 in double precision: how steep their function
-// is, that no ray passes one, and how far a bump's normal is from that of the carved stone.
+// rough_stones.c - tests the carved stones of chapter 12 in double precision: how steep their
+// function is, that no ray passes through a stone, and how far the normal of the bump-mapped stone
+// is from that of the carved stone.
 #include "lib/test.h"
 #include "lib/chapter.h"
 #include "lib/noise.h"
@@ -34,7 +35,7 @@ static double stretch(void)
     return 1.0 + roughness * cells * 15.0 / 8.0;
 }
 
-// ---- Is it a bound, and how much slack does it have? ----
+// ---- The bound and its slack ----
 
 static struct d3 random_near_stones(void)
 {
@@ -55,7 +56,7 @@ TEST(test_the_shader_carves_these_stones)
         worst = fmax(worst, fabs(5.0 * ((double)values[4 * i] - 0.5) - rough_stones(p)));
     }
     free(values);
-    print_message("# the shader's stones are off by at most %.1e\n", worst);
+    print_message("# the shader's distances to the stones are off by at most %.1e\n", worst);
     assert_true(worst < 1e-4);
 }
 
@@ -74,7 +75,8 @@ TEST(test_the_divisor_is_large_enough)
     assert_true(steepest <= stretch() && steepest > 0.75 * stretch());
 }
 
-// Where a ray first enters a rough stone, with small steps that do not depend on slopes.
+// The distance along a ray to the point where it first enters a rough stone, or end if it does not.
+// The point is found with small steps of equal length, so no bound on the slope is needed.
 static double first_inside(struct mirror_ray ray, double end)
 {
     const double step = 2e-3;
@@ -93,8 +95,9 @@ static double stones_alone(struct d3 p, int *nearest)
 
 static const struct mirror_scene stones_scene = {.function = stones_alone};
 
-// The march never passes a point that small steps find inside; and it ends there, or a little
-// before it.
+// The march never passes the first point that small steps find inside a stone. If it reports a hit,
+// the function is below the threshold there; if it reports a miss, small steps find no stone
+// either.
 TEST(test_no_ray_passes_a_rough_stone)
 {
     int hits = 0, misses = 0;
@@ -117,7 +120,7 @@ TEST(test_no_ray_passes_a_rough_stone)
             misses++;
         }
     }
-    print_message("# %d rays hit, %d miss; %.1f steps a hit\n", hits, misses, steps / hits);
+    print_message("# %d rays hit, %d miss; %.1f steps per hit\n", hits, misses, steps / hits);
     assert_true(hits > 300 && misses > 100);
 }
 
@@ -132,8 +135,8 @@ static struct d3 smooth_normal(struct d3 p)
                       smooth_stones(d3_add(p, z)) - smooth_stones(d3_sub(p, z))));
 }
 
-// The normal of the carved stone, and that of the smooth one tilted by the same noise: degrees
-// between them on the front stones, between the ground and the board.
+// Measure the angle between the normal of the carved stone and that of the smooth stone, tilted by
+// the same noise, on the front stones between the ground and the board.
 TEST(test_a_bump_is_nearly_the_carving)
 {
     int seen = 0;

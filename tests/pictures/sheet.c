@@ -1,5 +1,5 @@
-// sheet.c - the sheet of chapter 10: its lines have the same width at every zoom, and its two
-// colours differ for eyes that lack one kind of cone.
+// sheet.c - tests the sheet of chapter 10: its outline has the same width at every zoom, and its
+// two colours differ even for eyes that lack one kind of cone.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -14,8 +14,8 @@ static void set(const char *name, double x, double y)
     parameter->value[1] = y;
 }
 
-// The picture from a height above the middle of the sheet. Its ray starts in the figure, and ends
-// there: a dot and a ring in the middle of the picture.
+// The picture from a height above the middle of the sheet. The ray that it shows starts inside the
+// figure and ends at once, so only a dot and a ring are drawn in the middle of the picture.
 static float *picture_from(double height)
 {
     struct renderer_inputs inputs = {.width = WIDTH,
@@ -34,7 +34,8 @@ static void load(int figure)
     set("aim", 1.0, 0.0);
 }
 
-// The coordinate of a pixel's centre on the sheet: half of the picture shows height / 2 units.
+// The coordinate of a pixel's centre on the sheet. The picture shows height units of the sheet from
+// bottom to top.
 static double coordinate(int pixel, int size, double height)
 {
     return (2.0 * pixel + 1.0 - size) / HEIGHT * height / 2.0;
@@ -45,7 +46,7 @@ static double mix(double a, double b, double share)
     return a + share * (b - a);
 }
 
-// The rectangle of the sheet, mixed with its disc.
+// The distance to the sheet's rectangle, mixed with that to its disc.
 static double mixture(double x, double y, double morph)
 {
     double u = fabs(x) - 0.9, v = fabs(y) - 0.55;
@@ -53,9 +54,9 @@ static double mixture(double x, double y, double morph)
     return mix(box, hypot(x - 0.8, y + 0.3) - 0.5, morph);
 }
 
-// The white outline, followed perpendicular to itself where the middle row meets it on the left:
-// its width in pixels.
-//   slope  takes the length of the mixture's gradient there
+// The width of the white outline in pixels, measured perpendicular to it at the point on the left
+// where y = 0.05.
+//   slope  receives the length of the mixture's gradient there
 static double outline_width(double height, double morph, double *slope)
 {
     load(2);
@@ -73,7 +74,7 @@ static double outline_width(double height, double morph, double *slope)
     for (double along = -6.0; along < 6.0; along += 0.125) {
         int column = (int)floor(0.5 * WIDTH + low / pixel + along * x / *slope);
         int row = (int)floor(0.5 * HEIGHT + 0.05 / pixel + along * y / *slope);
-        // Of everything drawn, only the white outline has so much blue.
+        // Nothing but the white outline has so much blue.
         width += values[4 * (row * WIDTH + column) + 2] > 0.84f ? 0.125 : 0.0;
     }
     free(values);
@@ -91,7 +92,8 @@ TEST(test_the_outline_has_one_width)
         }
 }
 
-// Inside is darker than outside for every eye, so clearly that no hue is needed.
+// For every kind of colour vision, the inside is so much darker than the outside that hue is not
+// needed to tell them apart.
 TEST(test_inside_is_darker_for_every_eye)
 {
     load(2);

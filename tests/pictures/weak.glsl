@@ -1,15 +1,15 @@
-// weak.glsl - a weak driver, for weak.sh: built-in functions that err as much as Vulkan allows, each value by a
-// pseudorandom share of that. GLSL 3.30 and ES 3.00 bound none of these errors. Source: Vulkan specification,
-// 'Precision of GLSL.std.450 Instructions'.
+// weak.glsl - imitates an inaccurate driver, for weak.sh: the error of each built-in function is a pseudorandom share
+// of the largest error that Vulkan allows. GLSL 3.30 and ES 3.00 bound none of these errors. Source: Vulkan
+// specification, 'Precision of GLSL.std.450 Instructions'.
 
 #define PER_COMPONENT(f)                                                                                     \
     vec2 f(vec2 v) { return vec2(f(v.x), f(v.y)); }                                                          \
     vec3 f(vec3 v) { return vec3(f(v.x), f(v.y), f(v.z)); }                                                  \
     vec4 f(vec4 v) { return vec4(f(v.x), f(v.y), f(v.z), f(v.w)); }
 
-const float UNIT = 1.1920929e-7; // in the last place
+const float UNIT = 1.1920929e-7; // one unit in the last place of 1.0
 
-// From -1 to 1, the same for the same x.
+// A pseudorandom number from -1 to 1, which depends only on x.
 float weakShare(float x)
 {
     uint v = floatBitsToUint(x);

@@ -1,14 +1,15 @@
 #!/bin/bash
-# weak.sh - each chapter's picture as drawn by a driver whose built-in functions err as much as they may (weak.glsl). It
-# prints how far each is from its reference and does not judge: no driver that we know is nearly so inexact.
-# FUNCTIONS='sin cos' lets only these err; CHAPTER=05 draws one chapter.
+# weak.sh - draws each chapter's picture with built-in functions whose errors are as large as Vulkan allows (weak.glsl).
+# It prints how far each picture is from its reference, but does not judge the difference, because no driver that we
+# know is nearly so inaccurate. With FUNCTIONS='sin cos', only these functions err; with CHAPTER=05, only that chapter
+# is drawn.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 # shellcheck source=tests/lib/tap.sh
 . tests/lib/tap.sh
 open_scratch
 
-# A program reads the shaders beside its own folder.
+# A program reads the shaders in the folders beside the one that it is in.
 mkdir "$scratch/build"
 cp -r shaders chapters "$scratch/"
 functions=$(echo "${FUNCTIONS-[a-z0-9]+}" | tr ' ' '|')
@@ -21,7 +22,7 @@ grep -E "^([^#]|#define (PER_COMPONENT|($functions) weak))" tests/pictures/weak.
 while read -r stem variant options; do
     case $stem,$variant in "${CHAPTER-}"*,-) ;; *) continue ;; esac
     cp "$BUILD/$stem" "$scratch/build/"
-    # shellcheck disable=SC2086 # several words
+    # shellcheck disable=SC2086 # the options are separate words
     check "a weak driver draws $stem" "$scratch/build/$stem" $options -o "$scratch/$stem.png"
     echo "# $stem: $("$BUILD/tests/compare" "tests/references/$stem.png" "$scratch/$stem.png")"
 done < <(grep -v '^#' tests/pictures/images.txt)

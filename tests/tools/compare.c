@@ -1,12 +1,13 @@
-// compare [--words | --part WxH+X+Y] A.png B.png [DIFFERENCE.png] - are two pictures the same?
-// With --part, compare that part of both, X and Y from the top left.
-// compare --pack A.png B.png - store A as B, in as few bytes as libpng can write. A file B that
-// already has these pixels is left as it is.
+// compare [--words | --part WxH+X+Y] A.png B.png [DIFFERENCE.png] - compares two pictures. With
+// --part, compares only that part of both pictures, where X and Y are the position of its top left.
+// compare --pack A.png B.png - stores A as B, in as few bytes as libpng can write. If B already has
+// these pixels, the file is left as it is.
 //
-// Prints the two numbers that decide, the largest difference, how many pixels differ at all, and
-// the position that differs most, in pixels as --probe counts them; with --words, a sentence for a
-// student. Exit status: 0 within tolerance (--pack: stored), 1 outside (--pack: B was left as it
-// is), 2 if it could not compare or store.
+// Prints the two numbers that decide, F2 and B8, the largest difference, the number of pixels that
+// differ at all, and the position that differs most, in pixels as --probe counts them. With
+// --words, prints a sentence for a student instead. Exit status: 0 if the pictures are the same
+// within the tolerance (--pack: A was stored), 1 if they are not (--pack: B was left as it is), 2
+// if the pictures could not be compared or stored.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,7 +29,7 @@ static bool cut(struct image *image, const char *text)
         return true;
     if (sscanf(text, "%dx%d+%d+%d", &width, &height, &left, &top) != 4 || width < 1 || height < 1 ||
         left < 0 || top < 0 || width > image->width - left || height > image->height - top)
-        return report("--part %s: no part of a picture of %dx%d", text, image->width,
+        return report("--part %s: not WxH+X+Y within a picture of %dx%d", text, image->width,
                       image->height);
     if (!image_create(&part, width, height))
         return false;
@@ -61,8 +62,8 @@ static int compare(const struct image *a, const struct image *b, bool words, con
     return image_same(&difference) ? SAME : DIFFERENT;
 }
 
-// The best compression and, for each row, the best filter: 26 % fewer bytes than image_write_png,
-// but many times as slow.
+// Write a picture with the best compression and, for each row, the best filter. This takes 26 %
+// fewer bytes than image_write_png, but many times as long.
 static bool encode(const struct image *image, FILE *stream)
 {
     png_struct *png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
@@ -117,7 +118,8 @@ static int pack(const char *from, const char *to)
         int error = encoded ? platform_replace(target, data, size) : 0;
         stored = encoded && error == 0;
         if (!stored)
-            report("%s: cannot be written: %s", to, encoded ? platform_why(error) : "no memory");
+            report("%s: cannot be written: %s", to,
+                   encoded ? platform_why(error) : "not enough memory");
     }
     free(data);
     image_free(&image);

@@ -2,9 +2,9 @@
 // compares them with their references.
 //
 // Each line of standard input is NAME [ROOT]: a picture, and the folder of the project whose
-// shaders draw it, "." by default. Each is answered with one line as soon as its result is known:
-// 'same' or 'other', NAME and the numbers that compare prints; or 'none' and NAME if there is no
-// picture, with the reason on standard error. With FOLDER, each picture is left there as
+// shaders draw it, "." by default. As soon as the result is known, one line is printed: 'same' or
+// 'other', NAME and the numbers that compare prints; or, if there is no picture, 'none' and NAME,
+// with the reason on standard error. With FOLDER, each picture is written there as
 // NAME.BACKEND.png.
 //
 // The options of a picture mean the same here as in the programs.
@@ -25,7 +25,7 @@ enum { WORDS = 64, LINE = 4096 };
 // words.
 struct listed {
     char line[LINE], stem[LINE];
-    char *word[WORDS]; // a command line, NULL at its end
+    char *word[WORDS]; // a command line that ends with NULL
     int count;
 };
 
@@ -49,7 +49,8 @@ static bool read_line(struct listed *listed, const char *name)
     return true;
 }
 
-// Find a picture. Its command line begins like that of a program that writes the picture.
+// Find a picture's line, and turn it into the command line of a program that writes the picture to
+// output. Returns false after reporting the error.
 static bool find_picture(struct listed *listed, const char *name, char *output)
 {
     FILE *file = fopen("tests/pictures/images.txt", "r");
@@ -63,10 +64,11 @@ static bool find_picture(struct listed *listed, const char *name, char *output)
     }
     if (file != NULL)
         fclose(file);
-    return found || report("tests/pictures/images.txt: has no %s", name);
+    return found || report("tests/pictures/images.txt: no picture %s", name);
 }
 
-// Draw in the project's folder, because the paths in the options are relative to it.
+// Draw a picture. The current folder must be the project's, because the paths in the options are
+// relative to it.
 static bool draw(const struct context *context, struct run *run, struct image *image)
 {
     struct renderer *renderer = &run->picture[0].renderer;
@@ -87,7 +89,7 @@ static bool draw(const struct context *context, struct run *run, struct image *i
     return done;
 }
 
-// Draw the picture with the shaders of a folder.
+// Draw a picture with the shaders of the project in the folder root.
 static bool draw_in(const struct context *context, const char *name, const char *root,
                     struct image *image)
 {
@@ -101,12 +103,13 @@ static bool draw_in(const struct context *context, const char *name, const char 
         return false;
     bool alone = run.options.frames == 0;
     bool moved = alone && getcwd(here, sizeof here) != NULL && chdir(root) == 0;
-    bool done = moved ? draw(context, &run, image) : report("%s: not drawn in %s", name, root);
+    bool done =
+        moved ? draw(context, &run, image) : report("%s: cannot be drawn in %s", name, root);
     run_close(&run);
     return (!moved || chdir(here) == 0) && done;
 }
 
-// Draw, compare, answer.
+// Draw a picture, compare it with its reference, and print the result.
 static void answer(const struct context *context, const char *name, const char *root,
                    const char *backend, const char *folder)
 {

@@ -1,6 +1,6 @@
-// fuzz.c - the entry point of libFuzzer for the checks of fuzz.h; built only by `make fuzz`.
+// fuzz.c - the entry point of libFuzzer for the checks of fuzz.h. It is built only by `make fuzz`.
 //
-// Environment: FUZZ, the name of the target.
+// Environment: FUZZ is the name of the target.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,7 +25,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
         fprintf(stderr, "FUZZ='%s': no such target\n", name != NULL ? name : "");
         exit(2);
     }
-    scratch_make(); // fuzz.sh removes the folder, because libFuzzer exits without atexit
+    scratch_make(); // fuzz.sh removes the folder, because libFuzzer calls no atexit handlers
     return 0;
 }
 

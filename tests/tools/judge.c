@@ -1,12 +1,18 @@
-// judge - the words of judge.h for a shell.
+// judge - makes the functions of judge.h available to a shell.
 //
-//   judge picture WITH RIGHT.png MINE.png DIFFERENCE.png  pixel, share, what is wrong: a line each
-//   judge rays WITH PLACES RIGHT MINE  what is wrong; the files are outputs of --probe
-//   judge ray PROBE                    a march in words, from such a file
-//   judge pixel X,Y PICTURE.png        a colour in words; 0,0 is at the bottom left
-//   judge right SHARE...               the sentence for a right answer, from its pictures' shares
+//   judge picture WITH RIGHT.png MINE.png DIFFERENCE.png
+//       Prints the position and the share of the difference and, if MINE is wrong, what is wrong
+//       with it, each on a line; if MINE is wrong, also writes DIFFERENCE.
+//   judge rays WITH PLACES RIGHT MINE
+//       Prints what is wrong with the rays of MINE. Both files are outputs of --probe.
+//   judge ray PROBE
+//       Prints a march in words, from an output of --probe.
+//   judge pixel X,Y PICTURE.png
+//       Prints the colour of a pixel; 0,0 is at the bottom left.
+//   judge right SHARE...
+//       Prints the sentence for a right answer, from the shares of its pictures.
 //
-// Exit status: 0 right, 1 wrong, 2 if it could not judge.
+// Exit status: 0 if the answer is right, 1 if it is wrong, 2 if it could not be judged.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -48,7 +54,7 @@ static int judge_files(const char *with, char **path)
     return status;
 }
 
-// A whole file, which the caller frees, or NULL after reporting the error.
+// Read a file, up to 4 MiB. The caller frees the text. Returns NULL after reporting the error.
 static char *read_text(const char *path)
 {
     enum { MOST = 1 << 22 };
@@ -89,7 +95,7 @@ static int print_pixel(const char *pixel, const char *path)
     if (image_read_png(&image, path)) {
         if (sscanf(pixel, "%d,%d", &x, &y) != 2 || x < 0 || y < 0 || x >= image.width ||
             y >= image.height)
-            report("%s: no pixel of a picture of %dx%d", pixel, image.width, image.height);
+            report("%s: not a pixel of a picture of %dx%d", pixel, image.width, image.height);
         else {
             const unsigned char *p =
                 image.pixel +

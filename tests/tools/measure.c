@@ -23,7 +23,7 @@
 static int print_normal(void)
 {
     static const double steps[] = {1e-7, 1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.3};
-    printf("# worst error of the normal of the unit ball at z = 10 in 32-bit floats, degrees\n");
+    printf("# largest error of the normal of the unit ball at z = 10 in 32-bit floats, degrees\n");
     printf("step,central,central_truncation,forward,forward_truncation,rounding_bound\n");
     for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++) {
         struct normal_error e = measure_normal(steps[i]);
@@ -37,13 +37,12 @@ static int print_plane(void)
 {
     static const double angles[] = {90.0, 60.0, 45.0, 30.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5};
     static const int limits[] = {60, 64, 128, 256};
-    printf(
-        "# moves to a plane from height 1, threshold 0.001; evaluations are one more than moves\n");
+    printf("# moves to a plane from height 1, threshold 0.001; there is one more evaluation\n");
     printf("degrees,moves,formula\n");
     for (size_t i = 0; i < sizeof angles / sizeof angles[0]; i++)
         printf("%g,%d,%d\n", angles[i], measure_plane_moves(angles[i], 0.001),
                measure_plane_formula(angles[i], 0.001));
-    printf("# the angle, in degrees, below which this number of evaluations does not reach it\n");
+    printf("# the angle, in degrees, below which these evaluations do not reach the plane\n");
     printf("evaluations,threshold_0.01,threshold_0.001,threshold_0.0005\n");
     for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++)
         printf("%d,%.2f,%.2f,%.2f\n", limits[i], measure_plane_limit(limits[i], 0.01),
@@ -53,7 +52,7 @@ static int print_plane(void)
 
 static int print_sphere(void)
 {
-    printf("# moves past a ball of radius 1, from 3 before the closest point to 3 behind\n");
+    printf("# moves past a ball of radius 1, from 3 before the closest point to 3 beyond it\n");
     printf("miss,threshold,moves,formula\n");
     for (double delta = 1e-2; delta > 5e-6; delta /= 10.0)
         printf("%g,%g,%d,%.1f\n", delta, delta / 10.0, measure_ball_moves(delta, delta / 10.0),
@@ -66,7 +65,7 @@ static int print_sphere(void)
 
 static int print_rate(void)
 {
-    printf("# e_(n+1) / e_n near a transversal hit on a ball\n");
+    printf("# near a transversal hit on a ball: e_(n+1) / e_n, where e_n = t* - t_n\n");
     printf("cosine,ratio,1 - cosine\n");
     for (int i = 1; i < 10; i++)
         printf("%.1f,%.4f,%.1f\n", 0.1 * i, measure_rate(0.1 * i), 1.0 - 0.1 * i);
@@ -75,8 +74,8 @@ static int print_rate(void)
 
 static int print_foot(void)
 {
-    printf("# angle between the normals at a hit's foot and where the ray meets the ball: worst, "
-           "degrees\n");
+    printf("# largest angle, in degrees, between the normals of the ball below the end of a march "
+           "and where the ray meets the ball\n");
     printf("radius,threshold,measured,arccos(r / (r + threshold)),sqrt(2 threshold / r)\n");
     static const double cases[][2] = {{1.0, 5e-4},  {0.52, 5e-4}, {0.27, 5e-4},
                                       {0.16, 5e-4}, {1.0, 1e-2},  {1.0, 1e-5}};
@@ -93,7 +92,8 @@ static int print_threshold(void)
 {
     static const double thresholds[] = {0.0001, 0.001, 0.01, 0.05, 0.1, 0.2};
     double exact = measure_outline_theory(0.0);
-    printf("# outline of a ball of radius 1 seen from 5, 640x360: radius %.3f pixels\n", exact);
+    printf("# outline of a ball of radius 1 at a distance of 5, 640x360: radius %.3f pixels\n",
+           exact);
     printf("threshold,grown_by,expected\n");
     for (size_t i = 0; i < sizeof thresholds / sizeof thresholds[0]; i++) {
         printf("%g,%.3f,%.3f\n", thresholds[i], measure_outline(thresholds[i]) - exact,
@@ -105,7 +105,7 @@ static int print_threshold(void)
 static int print_acne(void)
 {
     static const double offsets[] = {0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 4.0, 10.0};
-    printf("# share of the stage's lit pixels in their own shadow, chapter 03\n");
+    printf("# chapter 03: share of the stage's lit pixels that are wrongly in their own shadow\n");
     printf("offset_in_thresholds,share\n");
     for (size_t i = 0; i < sizeof offsets / sizeof offsets[0]; i++) {
         printf("%g,%.4f\n", offsets[i], measure_acne(offsets[i]));
@@ -121,11 +121,12 @@ static void print_bound_row(const char *stem, const char *rays, const struct bou
            sum->lipschitz);
 }
 
-// Rays from height 1: at an angle towards a plane, parallel to it (0), or away from it.
+// Rays that start at height 1 above a plane: towards it (a positive angle), parallel to it (0) or
+// away from it.
 static void print_bound_planes(void)
 {
     static const double angles[] = {60.0, 45.0, 30.0, 10.0, 5.0, 0.0, -5.0, -10.0, -30.0, -60.0};
-    printf("# a ray of length 10000 and a plane, threshold 1e-9\n");
+    printf("# evaluations along a ray of length 10000 above a plane, threshold 1e-9\n");
     printf("degrees,march,least,march / least,formula\n");
     for (size_t i = 0; i < sizeof angles / sizeof angles[0]; i++) {
         bool hit;
@@ -140,7 +141,7 @@ static void print_bound_planes(void)
 static int print_bound(void)
 {
     print_bound_planes();
-    printf("# evaluations of a march, and the smallest number possible, between least and most\n");
+    printf("# evaluations of a march, and the smallest possible number: from least to most\n");
     printf("chapter,end,rays,march,least,most,march / least,of one ray,slope\n");
     for (int i = 0; i < bound_case_count; i++) {
         struct bound_sums sum[2];
@@ -157,7 +158,7 @@ static void print_shadow_row(const char *scene, const char *formula,
     printf("%s,%s,%.3f,%.3f,%.3f\n", scene, formula, error->mean, error->mean_size, error->worst);
 }
 
-// The wall of the page's worked example: its edge is 0.4 above the floor and 0.43 away.
+// The parapet of chapter 13's worked example: its upper edge is 0.4 high, and it is 0.43 away.
 static bool wall_blocks(struct d3 direction, const void *unused)
 {
     (void)unused;
@@ -171,13 +172,14 @@ static void print_wall(void)
     double sine = (0.43 * sun.y + 0.4 * sun.z) / hypot(0.43, 0.4);
     double clear = sine / sqrt(1.0 - sine * sine) / spread;
     double share = 0.5 + (asin(clear) + clear * sqrt(1.0 - clear * clear)) / MIRROR_PI;
-    printf("# 0.43 in front of a wall 0.4 high: clear %.3f, visible %.4f; at 2000 x 2000 points "
+    printf("# 0.43 in front of a wall 0.4 high: clear %.3f, visible %.4f; from 2000 x 2000 points "
            "%.4f\n",
            clear, share, shadow_share(wall_blocks, NULL, sun, spread, 2000));
 }
 
-// A cell in polar coordinates is cut if the edge lies between its corners: r cos(angle) is
-// monotonic in both coordinates. The mean over edges from -0.95 to 0.95.
+// The mean number of the disc's side x side cells that a straight edge cuts, over edges from x =
+// -0.95 to 0.95. A cell in polar coordinates is cut if the edge is between its corners, because
+// r cos(angle) is monotonic in both coordinates.
 static double cells_cut(int side)
 {
     double length = 0.0;
@@ -200,9 +202,9 @@ static int print_shadows(void)
                                                    SHADOW_TWICE, SHADOW_SIGNED};
     struct shadow_error error;
     print_wall();
-    printf("# visible share of the sun: formula minus truth; a sun of radius 0.04, 29 degrees "
-           "high\n");
-    printf("scene,formula,mean,mean of its size,worst\n");
+    printf("# visible share of the sun: formula minus truth; the sun has a radius of 0.04 and is "
+           "29 degrees high\n");
+    printf("scene,formula,mean,mean absolute,worst\n");
     for (int obstacle = 0; obstacle < SHADOW_OBSTACLES; obstacle++)
         for (int formula = 0; formula < SHADOW_FORMULAS; formula++) {
             error = shadow_error_of((enum shadow_obstacle)obstacle, (enum shadow_formula)formula);
@@ -213,16 +215,16 @@ static int print_shadows(void)
     measure_shadow_scene(scene);
     for (int i = 0; i < 5; i++)
         print_shadow_row("chapter 13", shadow_formula_names[in_scene[i]], &scene[i]);
-    printf("# of 8 x 8 cells of the disc, an edge cuts on average %.1f\n", cells_cut(8));
+    printf("# of the disc's 8 x 8 cells, an edge cuts %.1f on average\n", cells_cut(8));
     return 0;
 }
 
-// The share of the light that each highlight sends back, for each angle to the eye and over all
-// angles.
+// Print the share of the light that each highlight sends back, for several angles to the eye and as
+// a mean over all directions.
 static int print_gloss(void)
 {
     static const double roughnesses[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0};
-    printf("# share of the light that is sent back, with perfect mirrors: GGX; Blinn and Phong\n");
+    printf("# share of the light that perfectly reflecting facets send back: GGX, Blinn-Phong\n");
     printf(
         "roughness,straight,at 60 degrees,at 80 degrees,mean,exponent,straight,at 60 degrees,at 80 "
         "degrees,mean,(n + 8) / (8 pi),no factor\n");
@@ -240,13 +242,13 @@ static int print_gloss(void)
     return 0;
 }
 
-// Each method of colouring a pixel of squares, compared with the mean of 64 x 64 samples of that
-// pixel.
+// Print the error of each method of colouring a pixel of the squares, compared with the mean of
+// 64 x 64 samples of that pixel.
 static int print_checkers(void)
 {
     static const char *const ways[] = {"middle of the pixel", "footprint of the ray", "fwidth"};
     printf("# squares of the experiment 11_checkers: root mean square error of the mean over the "
-           "pixel, of 255\n");
+           "pixel, on a scale from 0 to 255\n");
     printf("orthographic,way,off\n");
     for (int v = 0; v < 3; v++)
         for (int way = 0; way < 3; way++) {
@@ -273,8 +275,8 @@ static int print_levels(void)
     static const double factors[] = {0.0, 0.25, 0.5, 1.0, 2.0, 4.0};
     if (!levels_open())
         return 1;
-    printf("# granite.png read with a factor times the footprint: root mean square error of the "
-           "mean over it, of 1\n");
+    printf("# granite.png read with a multiple of the footprint: root mean square error of the "
+           "mean over the footprint, on a scale from 0 to 1\n");
     printf("texels,sine,none,1/4,1/2,1,2,4\n");
     for (double sine = 1.0; sine > 0.05; sine /= 4.0)
         for (double n = 1.0; n <= 32.0; n *= 2.0) {
@@ -286,11 +288,11 @@ static int print_levels(void)
     return 0;
 }
 
-// The means of a few samples, compared with that of 256.
+// Print the errors of means of a few samples, compared with the mean of 256.
 static int print_filters(void)
 {
     printf("# a fan of fine rays, 64 x 64 pixels: root mean square difference from 256 samples of "
-           "the same filter, of 1\n");
+           "the same filter, on a scale from 0 to 1\n");
     printf("samples");
     for (int way = 0; way < FILTER_WAYS; way++)
         printf(",%s", filter_way_names[way]);
@@ -315,16 +317,16 @@ static const struct measurement {
     {"plane", "steps to a plane against the angle", false, print_plane},
     {"sphere", "steps past a ball", false, print_sphere},
     {"rate", "how fast a march approaches a hit", false, print_rate},
-    {"foot", "normal at the foot of a hit, compared with that where the ray meets a ball", false,
+    {"foot", "normal below the end of a march, compared with that where the ray hits", false,
      print_foot},
-    {"threshold", "what a threshold adds to an outline", true, print_threshold},
+    {"threshold", "how much a threshold enlarges an outline", true, print_threshold},
     {"acne", "share of lit pixels in their own shadow against the offset", true, print_acne},
     {"bound", "evaluations of a march against the smallest number possible", true, print_bound},
     {"shadows", "soft shadows from one march, against the visible share of the sun", true,
      print_shadows},
     {"occlusion", "the visible share of the sky from five taps, against the truth", true,
      occlusion_print},
-    {"glass", "shares that glass reflects; how much is dark after each number of surfaces", true,
+    {"glass", "share that glass reflects; light missing after each number of surfaces", true,
      glass_print},
     {"gloss", "share of the light that a highlight sends back", false, print_gloss},
     {"filters", "error of a pixel's mean against the number and positions of its samples", false,
@@ -340,7 +342,7 @@ static const struct measurement {
      limits_print},
     {"marches", "seven marches in eleven scenes: evaluations, time, lockstep, errors", true,
      marches_print},
-    {"report", "three pictures of the report, drawn again, compared with its engine", true,
+    {"report", "costs of three pictures of the report, compared with those of its engine", true,
      report_print},
 };
 enum { MEASUREMENTS = sizeof measurements / sizeof *measurements };
@@ -351,8 +353,8 @@ static int usage(FILE *file)
     for (int i = 0; i < MEASUREMENTS; i++)
         fprintf(file, "  %-9s  %s\n", measurements[i].name, measurements[i].what);
     fputs("  speed A.frag B.frag [WxH]\n"
-          "             CPU time of two shaders, with alternating frames, and of a cold "
-          "compilation;\n"
+          "             CPU time of two shaders, with alternating frames, and of their cold "
+          "starts;\n"
           "             A.frag@X,Y,Z,PAN,TILT sets the camera\n",
           file);
     return file == stdout ? 0 : 2;

@@ -1,8 +1,8 @@
-// browser.mjs - what the tests of the browser share: a server for a folder, Chromium on Mesa's software renderer, a
-// page with one program, waits for a state, and TAP.
+// browser.mjs - the code that the browser tests share: a server for a folder, Chromium on Mesa's software renderer, a
+// page with one program, waits for a state, and TAP output.
 //
-// Nothing here depends on a clock. A test waits for what must happen. To check that something does not happen, it lets
-// a number of frames of the page pass.
+// No result depends on a clock. A test waits until an expected event has happened. To check that an event does not
+// happen, it lets a number of the page's frames pass.
 import {execFile} from 'node:child_process';
 import fs from 'node:fs';
 import {chromium} from '../../build/node/node_modules/playwright-core/index.mjs';
@@ -21,11 +21,11 @@ export function check(name, right, ...more) {
     if (!right) failed++;
     console.log(`${right ? 'ok' : 'not ok'} ${count} - ${name}`);
     if (!right && more.length > 0) console.log(`# ${more.map((x) => typeof x === 'string' ? x : JSON.stringify(x)).join(' ')}`);
-    if (!right && name.endsWith(process.env.WEB_UNTIL ?? '\n')) process.exit(1); // for a deliberate mistake
+    if (!right && name.endsWith(process.env.WEB_UNTIL ?? '\n')) process.exit(1); // a mutation is detected, so the other checks can be skipped
     return right;
 }
 
-// Call this before the browsers are closed, because their time is counted.
+// Print the processor time and the TAP plan. Call this before the browsers are closed, because their time is included.
 export function finish() {
     console.log(`# ${(processors() + process.cpuUsage().user / 1e6).toFixed(0)} s of processor time`);
     console.log(`1..${count}`);
@@ -34,11 +34,11 @@ export function finish() {
 
 // ---- The server ----
 
-// The folders under test: the programs alone, and the site. Deliberate mistakes are made in a copy.
+// The folders under test: the programs alone, and the site. Mutations are made in copies of these folders.
 export const WEB = process.env.WEB_FOLDER || 'build/web', SITE = process.env.SITE_FOLDER || 'build/site';
 
-// Serve a folder to this machine only; /test.html is a page with a canvas. Returns its address and a function that ends
-// it.
+// Serve a folder to this machine only; /test.html is a page with a canvas. Returns the server's address and a function
+// that closes the server.
 export async function serve(folder) {
     const server = folderServer(folder, {'/test.html': PAGE});
     await new Promise((ready) => server.listen(0, '127.0.0.1', ready));
@@ -47,10 +47,11 @@ export async function serve(folder) {
 
 // ---- The browser ----
 
-export const PATIENCE = Number(process.env.WEB_PATIENCE || 180e3); // milliseconds after which a state that has not come counts as missing
+export const PATIENCE = Number(process.env.WEB_PATIENCE || 180e3); // milliseconds after which a test stops waiting
 
-// Start Chromium. It scrolls at once: a position that is measured during a smooth scroll would depend on the clock.
-//   angle  the renderer: 'gl-egl' is Mesa, 'swiftshader' Chromium's own
+// Start Chromium without smooth scrolling, because a position measured during a smooth scroll would depend on the
+// clock.
+//   angle  the renderer: 'gl-egl' is Mesa, 'swiftshader' is Chromium's own, and 'none' disables the GPU
 export function launch(angle = 'gl-egl') {
     return chromium.launch({
         executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
@@ -62,14 +63,16 @@ export function launch(angle = 'gl-egl') {
     });
 }
 
-// In a page, before its scripts: a driver that compiles on separate threads, and is ready once window.compiled is set.
+// Run this in a page before its scripts. It imitates a driver that compiles on separate threads, and whose programs are
+// ready once window.compiled is true.
 export function threads() {
     const {getExtension, getProgramParameter} = WebGL2RenderingContext.prototype;
     WebGL2RenderingContext.prototype.getExtension = function (name) { return name === 'KHR_parallel_shader_compile' ? {} : getExtension.call(this, name); };
     WebGL2RenderingContext.prototype.getProgramParameter = function (program, name) { return name === 0x91B1 ? window.compiled === true : getProgramParameter.call(this, program, name); };
 }
 
-// In a page: load a program for its canvas, store its messages and pictures, and count the calls of WebGL's functions.
+// Run this in a page. It loads a program for the page's canvas, stores the program's messages, pictures and events, and
+// counts the calls of three WebGL functions.
 export async function loadProgram() {
     window.calls = {};
     for (const name of ['drawArrays', 'blitFramebuffer', 'readPixels']) {
@@ -99,9 +102,9 @@ export async function loadProgram() {
     });
 }
 
-// A page, and the errors of its console and its scripts.
-//   context  playwright's options of a context
-//   before   is evaluated in the page before any of its scripts
+// Open an empty page. Returns {page, said}, where said collects the errors of the page's console and scripts.
+//   context  Playwright's options for a browser context
+//   before   a function that is evaluated in the page before any of the page's scripts
 export async function blankPage(browser, {context = {}, before = () => {}} = {}) {
     const page = await browser.newPage({viewport: {width: 640, height: 500}, ...context});
     page.setDefaultTimeout(PATIENCE);
@@ -112,8 +115,8 @@ export async function blankPage(browser, {context = {}, before = () => {}} = {})
     return {page, said};
 }
 
-// A page with one program, window.program, that has started nothing. The program's own lines are in window.lines, its
-// pictures in window.pictures, and the number of calls of WebGL's functions in window.calls.
+// Open a page with one program, window.program, which has not started a chapter yet. The lines that the program prints
+// are in window.lines, its pictures in window.pictures, and the numbers of WebGL calls in window.calls.
 export async function openPage(browser, at, options = {}) {
     const opened = await blankPage(browser, options);
     await opened.page.goto(`${at}/test.html`);
@@ -121,7 +124,7 @@ export async function openPage(browser, at, options = {}) {
     return opened;
 }
 
-// Draw a picture into a file, with the options of a row of tests/pictures/images.txt. Returns {status, picture, lines}.
+// Draw a picture to a file, with the options of a line of tests/pictures/images.txt. Returns {status, picture, lines}.
 export const draw = (page, stem, line) => page.evaluate(async ([stem, line]) => {
     window.lines.length = window.pictures.length = 0;
     const status = await window.program.start(stem, `${line} --output picture.png`);
@@ -132,14 +135,15 @@ export const draw = (page, stem, line) => page.evaluate(async ([stem, line]) => 
 
 export const state = (page) => page.evaluate(() => window.program.state());
 
-// Start a chapter and wait until it has drawn. Returns its exit status.
+// Start a chapter and wait until it has drawn a frame. Returns the exit status of the start.
 export async function start(page, stem, line = '') {
     const status = await page.evaluate(([stem, line]) => window.program.start(stem, line), [stem, line]);
     if (status === 0) await until(page, (now) => now.rate > 0 || !now.runs);
     return status;
 }
 
-// Wait until the program's state satisfies a condition. Returns the last state, which the caller judges.
+// Wait until the program's state satisfies a condition, or until time runs out. Returns the last state, which the
+// caller must check.
 export async function until(page, right) {
     const begun = Date.now();
     for (;;) {
@@ -149,7 +153,7 @@ export async function until(page, right) {
     }
 }
 
-// Wait until a condition holds, which may query the page. Returns whether it does.
+// Wait until a condition, which may query the page, is true. Returns false if time runs out.
 export async function holds(page, condition) {
     const begun = Date.now();
     while (!await condition()) {
@@ -159,7 +163,7 @@ export async function holds(page, condition) {
     return true;
 }
 
-// Wait until a page of the site is laid out, below its first screen too.
+// Wait until a page of the site is laid out completely, including the part below the first screen.
 export const whole = (page) => page.waitForFunction(() => !document.querySelector('.quick, .later'));
 
 // Let a number of frames of the page pass.
@@ -168,8 +172,8 @@ export const frames = (page, count) => page.evaluate((count) => new Promise((don
     turn();
 }), count);
 
-// Wait until a paused program has drawn everything: until nothing is drawn for longer than the rest after which a
-// picture is sharpened.
+// Wait until a paused program has drawn everything: until nothing is drawn for 45 frames, which is longer than the
+// pause before a picture is sharpened.
 export const rest = (page) => page.evaluate((patience) => new Promise((done) => {
     const begun = performance.now();
     let still = 0, before = -1;
@@ -185,7 +189,7 @@ export const rest = (page) => page.evaluate((patience) => new Promise((done) => 
 
 // ---- Files and processes ----
 
-// Seconds of processor time of all running processes that descend from this one.
+// The processor time of all running processes that descend from this one, in seconds.
 export function processors() {
     const all = fs.readdirSync('/proc').filter((name) => /^\d+$/.test(name)).flatMap((name) => {
         try {
@@ -193,7 +197,7 @@ export function processors() {
             const field = text.slice(text.lastIndexOf(')') + 2).split(' ');
             return [{process: Number(name), parent: Number(field[1]), seconds: (Number(field[11]) + Number(field[12])) / 100}];
         } catch {
-            return []; // it has just ended
+            return []; // the process has just ended
         }
     });
     const ours = new Set([process.pid]);
@@ -205,18 +209,19 @@ export function processors() {
     return all.reduce((sum, one) => sum + (ours.has(one.process) ? one.seconds : 0), 0);
 }
 
-// Write a picture that a page has drawn.
+// Write a picture that a page has drawn to a file.
 export function keep(picture, file) {
     fs.writeFileSync(file, Buffer.from(picture.url.split(',')[1], 'base64'));
 }
 
-// Compare a picture with its reference, using build/tests/compare, while others are drawn. Returns {same, says}.
+// Compare a picture with its reference, using build/tests/compare in a separate process, so that other pictures can be
+// drawn in the meantime. Returns a promise of {same, says}.
 export function compare(name, file) {
     return new Promise((done) => execFile('build/tests/compare', [`tests/references/${name}.png`, file],
         (error, output, errors) => done({same: !error, says: (output + errors).trim()})));
 }
 
-// The rows of tests/pictures/images.txt: {stem, name, line}.
+// The pictures of tests/pictures/images.txt, as {stem, name, line}; line contains the options.
 export function pictures() {
     return fs.readFileSync('tests/pictures/images.txt', 'utf8').split('\n').filter((line) => /^[0-9]/.test(line)).map((line) => {
         const [stem, variant, ...options] = line.trim().split(/\s+/);

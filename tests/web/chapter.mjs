@@ -1,5 +1,5 @@
-// chapter.mjs - the live chapter in a page: the state before the click, its controls, the ray, the editor with its
-// drafts and its link, commands beside the text, exercises, a phone.
+// chapter.mjs - tests the live chapter in a page: before and after the click, the controls, a ray, the editor with its
+// drafts and links, commands beside the text, exercises, comparisons, print, accessibility and a phone.
 import {execFileSync, spawnSync} from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -19,11 +19,11 @@ ${command(PAIR[0], `data-other="${PAIR[1]}"`)}</main></html>`;
 
 const server = await serve(WEB), browser = await launch(), said = [], text = fs.readFileSync(FILE, 'utf8');
 
-// A separate page, with its requests and its errors.
+// Open a separate page, and record its requests and its errors.
 async function open(options = {}, fragment = '', context = null) {
     context ??= await browser.newContext({viewport: {width: 1280, height: 800}, permissions: ['clipboard-read', 'clipboard-write'], ...options});
     const page = await context.newPage(), asked = [];
-    page.setDefaultTimeout(PATIENCE); // only for tests that hang; it is long because a busy machine is slow
+    page.setDefaultTimeout(PATIENCE); // ends only tests that hang; it is long because a busy machine is slow
     page.on('console', (message) => { if (message.type() === 'error') said.push(message.text()); });
     page.on('pageerror', (error) => said.push(error.message));
     page.on('request', (request) => asked.push(path.basename(new URL(request.url()).pathname)));
@@ -39,7 +39,8 @@ const state = (page) => page.evaluate(() => document.querySelector('.live-on').p
 const value = async (page, name) => (await state(page)).parameters.find((p) => p.name === name).value[0];
 const press = (page, name) => page.locator(on).getByRole('button', {name, exact: true}).click();
 
-// Wait until the program's state satisfies a condition; the caller's check decides.
+// Wait until the program's state satisfies a condition, or until time runs out. Returns the state, which the caller
+// must check.
 async function comes(page, right, ...values) {
     await page.waitForFunction(([right, values]) => {
         const program = document.querySelector('.live-on')?.program;
@@ -58,70 +59,70 @@ async function run(page) {
 
 const {page, asked, context} = await open();
 await page.waitForSelector('.live-start');
-check('before the click there is the poster, and nothing of the program is loaded', asked.sort().join() === 'live.css,live.html,live.js,poster.png', asked);
-// The script that runs the program is held back until the chapter's text has been requested.
+check('before the click, only the page and its poster are loaded, and nothing of the program', asked.sort().join() === 'live.css,live.html,live.js,poster.png', asked);
+// The test delays the script that runs the program until the chapter's text has been requested.
 const together = page.waitForRequest(`**/${STEM}.frag`, {timeout: PATIENCE / 3}).then(() => true, () => false);
 await page.route('**/stage.js', async (route) => { await together; await route.continue(); });
 const begun = Date.now();
 let now = await run(page);
-check('the click requests the chapter\'s text together with the program', await together);
+check('the click requests the chapter\'s text without waiting for the program', await together);
 await page.unroute('**/stage.js');
 console.log(`# from the click to the first picture and its rate ${Date.now() - begun} ms`);
-check('the click runs the chapter, in the size that it asks for', now.runs && now.size[0] > 600 && Math.abs(now.size[0] / now.size[1] - 16 / 9) < 0.02, now.size);
-check('no editor, no solution and no exercise was loaded', !asked.some((name) => /editor|exercises|solution|_\d\.frag/.test(name)), asked);
-check('the keyboard belongs to the page until the picture is touched', await page.evaluate(() => document.activeElement === document.body));
+check('the click runs the chapter, with a picture in 16:9 that is more than 600 pixels wide', now.runs && now.size[0] > 600 && Math.abs(now.size[0] / now.size[1] - 16 / 9) < 0.02, now.size);
+check('the click loads no editor, solution or exercise', !asked.some((name) => /editor|exercises|solution|_\d\.frag/.test(name)), asked);
+check('the page keeps the keyboard focus until the reader clicks the picture', await page.evaluate(() => document.activeElement === document.body));
 
 // ---- Controls ----
 
 const lamp = page.locator('.live-row', {hasText: 'lampHeight'});
-check('a parameter has its help with the unit', (await lamp.locator('.live-help').textContent()) === 'height of the lamp above the stage; in scene units');
+check('the help for a parameter includes its unit', (await lamp.locator('.live-help').textContent()) === 'height of the lamp above the stage; in scene units');
 check('each parameter has a row', await page.locator('.live-row').count() === now.parameters.length);
 await lamp.locator('input[type=range]').fill('2');
-check('a slider sets its value', await value(page, 'lampHeight') === 2);
+check('a slider sets its parameter', await value(page, 'lampHeight') === 2);
 await lamp.locator('input[type=number]').fill('3.25');
 await lamp.locator('input[type=number]').press('Enter');
-check('so does a number', await value(page, 'lampHeight') === 3.25);
+check('a number field sets its parameter', await value(page, 'lampHeight') === 3.25);
 await lamp.getByRole('button').click();
-check('and its button resets it', await value(page, 'lampHeight') === 4.6);
+check('the button in a row resets its parameter', await value(page, 'lampHeight') === 4.6);
 const shadows = page.locator('.live-row', {hasText: 'check whether the light is visible from the surface'}).locator('input');
 await shadows.uncheck();
-check('a checkbox switches its parameter', await value(page, 'shadows') === 0);
+check('a checkbox switches its parameter off', await value(page, 'shadows') === 0);
 await press(page, 'Reset all');
-check('all are reset', await value(page, 'shadows') === 1);
+check('Reset all resets a parameter', await value(page, 'shadows') === 1);
 const steps = page.locator('.live-row', {hasText: 'hitThreshold'}).locator('input[type=range]');
 await steps.fill(String(Math.log(0.01)));
-check('a slider is logarithmic if a key press multiplies the value', Math.abs(await value(page, 'hitThreshold') - 0.01) < 0.001, await value(page, 'hitThreshold'));
+check('the slider of a parameter that key presses multiply is logarithmic', Math.abs(await value(page, 'hitThreshold') - 0.01) < 0.001, await value(page, 'hitThreshold'));
 await press(page, 'Reset all');
 await press(page, 'steps');
-check('a view is selected', (await state(page)).view === 'steps' && await page.locator('.live-views [aria-pressed=true]').textContent() === 'steps');
+check('a button selects a view', (await state(page)).view === 'steps' && await page.locator('.live-views [aria-pressed=true]').textContent() === 'steps');
 await press(page, 'picture');
 await press(page, 'Pause');
 await page.locator('.live-time').fill('7.5');
 await page.locator('.live-time').press('Enter');
-check('the clock is stopped and set', (await state(page)).paused && (await state(page)).time === 7.5);
+check('the clock can be paused and set', (await state(page)).paused && (await state(page)).time === 7.5);
 await frames(page, 30);
-check('and does not continue', (await state(page)).time === 7.5);
+check('the paused clock does not continue', (await state(page)).time === 7.5);
 
 // ---- A ray ----
 
 await page.locator('.live-canvas').click({position: {x: 400, y: 260}});
 now = await comes(page, 's.probe');
 await page.waitForFunction((steps) => document.querySelectorAll('.live-table tbody tr').length === steps, now.probe.steps);
-check('a click shows the ray\'s steps', now.probe.steps > 1 && (await page.locator('.live-table tbody tr').last().locator('td').first().textContent()) === String(now.probe.steps - 1));
+check('a click on the picture lists the steps of a ray', now.probe.steps > 1 && (await page.locator('.live-table tbody tr').last().locator('td').first().textContent()) === String(now.probe.steps - 1));
 await press(page, 'First step');
-check('the first step is shown', (await comes(page, 's.shown === 1')).shown === 1);
+check('First step shows the first step', (await comes(page, 's.shown === 1')).shown === 1);
 await press(page, 'Forward');
-check('then the second', (await comes(page, 's.shown === 2')).shown === 2);
+check('Forward shows the second step', (await comes(page, 's.shown === 2')).shown === 2);
 await page.waitForFunction(() => document.querySelector('.live-at')?.sectionRowIndex === 1);
 await page.locator('.live-table tbody tr').nth(3).locator('td').first().click();
-check('a row of the table selects its step', (await comes(page, 's.shown === 4')).shown === 4);
+check('a click on a row of the table shows its step', (await comes(page, 's.shown === 4')).shown === 4);
 await press(page, 'Back one step');
-check('and the button goes back', (await comes(page, 's.shown === 3')).shown === 3);
+check('Back one step shows the step before', (await comes(page, 's.shown === 3')).shown === 3);
 await press(page, 'Slice');
-check('the slice of the ray is shown', (await comes(page, 's.view === "slice"')).view === 'slice');
+check('Slice shows the slice of the ray', (await comes(page, 's.view === "slice"')).view === 'slice');
 await press(page, 'Slice');
 await press(page, 'Deselect');
-check('the ray is deselected', (await comes(page, 's.pixel[0] < 0')).pixel[0] === -1 && await page.locator('.live-table').isHidden());
+check('Deselect removes the ray and its table', (await comes(page, 's.pixel[0] < 0')).pixel[0] === -1 && await page.locator('.live-table').isHidden());
 
 // ---- The editor ----
 
@@ -130,25 +131,25 @@ const eye = (await state(page)).camera;
 await press(page, 'Edit');
 await page.waitForSelector('.cm-content');
 check('the editor shows the file', (await page.locator('.cm-content').textContent()).startsWith(text.split('\n')[0]));
-check('its includes have tabs', await page.getByRole('tab', {name: 'march.glsl'}).count() === 1);
+check('an included file has a tab', await page.getByRole('tab', {name: 'march.glsl'}).count() === 1);
 await page.locator('.cm-content').click();
 await page.keyboard.press('Control+End');
 await page.keyboard.type('float wasd() { return vec3(1.0); }');
 await page.waitForSelector('.live-error:not([hidden])');
 const line = text.split('\n').length;
-check('an error is reported with its line', (await words()).includes(`${FILE}:${line}: error:`), await words());
-check('the line is marked, and so is the tab', await page.locator('.cm-lint-marker-error').count() === 1 && await page.locator('.live-faulty').count() === 1);
+check('an error is reported with its line number', (await words()).includes(`${FILE}:${line}: error:`), await words());
+check('the line with the error is marked, and so is its tab', await page.locator('.cm-lint-marker-error').count() === 1 && await page.locator('.live-faulty').count() === 1);
 now = await state(page);
-check('and the error is visible', await page.evaluate(() => { const box = document.querySelector('.live-error').getBoundingClientRect(); return box.height > 0 && box.top >= document.querySelector('.live-canvas').getBoundingClientRect().bottom - 1 && box.bottom <= innerHeight + 1; }));
-check('typing does not move the page', now.camera.every((x, i) => x === eye[i]) && now.view === 'picture', eye, now.camera);
-check('the picture is visible above the text', await page.evaluate(() => { const box = document.querySelector('.live-canvas').getBoundingClientRect(); return box.top >= 0 && box.bottom < innerHeight; }));
+check('the error is visible below the picture', await page.evaluate(() => { const box = document.querySelector('.live-error').getBoundingClientRect(); return box.height > 0 && box.top >= document.querySelector('.live-canvas').getBoundingClientRect().bottom - 1 && box.bottom <= innerHeight + 1; }));
+check('typing in the editor does not move the camera or change the view', now.camera.every((x, i) => x === eye[i]) && now.view === 'picture', eye, now.camera);
+check('the picture stays visible above the editor', await page.evaluate(() => { const box = document.querySelector('.live-canvas').getBoundingClientRect(); return box.top >= 0 && box.bottom < innerHeight; }));
 
-// A broken edit is kept; until it is mended, the course's picture is shown.
+// A broken edit is kept. Until the reader corrects it, the course's picture is shown.
 await page.reload();
 await page.waitForSelector('.live-start');
 await run(page);
 await page.waitForSelector('.live-error:not([hidden])');
-check('a reload keeps a broken edit, its error and a picture', (await words()).includes('error') && (await state(page)).runs);
+check('after a reload, there is still a broken edit, its error and a picture', (await words()).includes('error') && (await state(page)).runs);
 // A context that is lost while the edit is broken is restored in the same way.
 await lamp.locator('input[type=number]').fill('3.25');
 await lamp.locator('input[type=number]').press('Enter');
@@ -159,65 +160,65 @@ await page.evaluate(() => new Promise((found) => {
     taken.loseContext();
 }));
 now = await comes(page, 's.error !== "" && s.rate > 0');
-check('so does a restored context, with the values', now.runs && now.error !== '' && await value(page, 'lampHeight') === 3.25, now.error);
-check('and the page says that they are the reader\'s changes', (await page.locator('.live-changes').textContent()).startsWith(`With your changes in ${FILE}.`));
+check('after a lost context, there is still a broken edit, its error, a picture and the parameters\' values', now.runs && now.error !== '' && await value(page, 'lampHeight') === 3.25, now.error);
+check('the page says which file contains the reader\'s changes', (await page.locator('.live-changes').textContent()).startsWith(`With your changes in ${FILE}.`));
 await press(page, 'Edit');
 await page.waitForSelector('.cm-content');
 await press(page, 'Reset this file');
 await page.waitForSelector('.live-error', {state: 'hidden'});
-check('the file is reset, and the error disappears', await page.locator('.live-changes').isHidden() && await page.evaluate(() => Object.keys(localStorage).length) === 0);
+check('Reset this file removes the edit and its error', await page.locator('.live-changes').isHidden() && await page.evaluate(() => Object.keys(localStorage).length) === 0);
 await page.locator('.cm-content').click();
 await page.keyboard.press('Control+Home');
 await page.keyboard.type('uniform float mine; // 3 in [0, 9]: of my own\n');
 await page.waitForSelector('.live-row code:text-is("mine")');
-check('a uniform that is typed gets a slider', await value(page, 'mine') === 3);
+check('a uniform that the reader types becomes a parameter with a row', await value(page, 'mine') === 3);
 const [download] = await Promise.all([page.waitForEvent('download'), press(page, 'Download my.frag')]);
-check('my.frag contains the text', download.suggestedFilename() === 'my.frag' && fs.readFileSync(await download.path(), 'utf8') === `uniform float mine; // 3 in [0, 9]: of my own\n${text}`);
+check('the downloaded my.frag contains the edited text', download.suggestedFilename() === 'my.frag' && fs.readFileSync(await download.path(), 'utf8') === `uniform float mine; // 3 in [0, 9]: of my own\n${text}`);
 await press(page, 'Copy a link');
 await page.waitForFunction(() => location.hash.startsWith('#edit='));
 const link = await page.evaluate(() => location.hash);
 const friend = await open({}, link);
 await friend.page.waitForSelector('.live-start');
-check('a link loads nothing by itself', !friend.asked.includes('stage.js'));
+check('a link with an edit does not load the program before the click', !friend.asked.includes('stage.js'));
 await run(friend.page);
-check('it shows the edit to a friend', await value(friend.page, 'mine') === 3);
-check('and stores nothing there', await friend.page.evaluate(() => Object.keys(localStorage).length) === 0);
+check('a link with an edit shows the edit to a friend', await value(friend.page, 'mine') === 3);
+check('a link with an edit stores nothing in the friend\'s browser', await friend.page.evaluate(() => Object.keys(localStorage).length) === 0);
 await friend.context.close();
 const torn = await open({}, link.slice(0, 60));
 await run(torn.page);
-check('a broken link is reported, and the chapter runs', (await torn.page.locator('.live-notice').textContent()).includes('cannot be read'));
+check('a broken link is reported, and the chapter still runs', (await torn.page.locator('.live-notice').textContent()).includes('cannot be read'));
 await torn.context.close();
 await press(page, 'Undo all');
 await page.waitForSelector('.live-changes', {state: 'hidden'});
-check('undone edits are gone from the address too', await page.evaluate(() => location.hash) === '');
+check('Undo all removes the edits from the address too', await page.evaluate(() => location.hash) === '');
 await press(page, 'Edit');
 
-// ---- Beside the text ----
+// ---- Commands beside the text ----
 
 const buttons = page.locator('button.run');
 await buttons.nth(0).click();
 await page.waitForSelector('.live-beside.live-window');
-check('a command opens its program below it', (await state(page)).view === 'normals' && await page.evaluate(() => document.querySelector('.command').nextElementSibling.matches('.live-beside.live-on')));
-check('and the chapter at the top shows its poster again', await first(page).locator('.live-start').isVisible() && await first(page).locator('canvas').count() === 0);
+check('the button of a command opens its program below the command', (await state(page)).view === 'normals' && await page.evaluate(() => document.querySelector('.command').nextElementSibling.matches('.live-beside.live-on')));
+check('while a command runs, the chapter at the top shows its poster again', await first(page).locator('.live-start').isVisible() && await first(page).locator('canvas').count() === 0);
 await press(page, 'Close');
-check('once closed, the program is gone, and the command\'s button has the focus', await page.locator('.live-beside').count() === 0 && await page.evaluate(() => document.activeElement === document.querySelector('button.run')));
+check('Close removes the program and gives the focus to the command\'s button', await page.locator('.live-beside').count() === 0 && await page.evaluate(() => document.activeElement === document.querySelector('button.run')));
 await buttons.nth(1).click();
 const printed = page.locator('.live-printed');
 await printed.waitFor();
-check('the output of a command is shown below it', /^step,t,distance.*# hit; steps: 9/s.test(await printed.textContent()), await printed.textContent());
+check('the output of a command is shown below the command', /^step,t,distance.*# hit; steps: 9/s.test(await printed.textContent()), await printed.textContent());
 await buttons.nth(2).click();
 await printed.nth(1).waitFor();
-check('or its last lines', /^# hit; steps: 9;[^\n]*$/.test(await printed.nth(1).textContent()));
+check('a command with data-tail shows only the last lines of its output', /^# hit; steps: 9;[^\n]*$/.test(await printed.nth(1).textContent()));
 await buttons.nth(3).click();
 await printed.nth(2).waitFor();
-check('or its first', /^step,t,distance[^\n]*$/.test(await printed.nth(2).textContent()), await printed.nth(2).textContent());
+check('a command with data-head shows only the first lines of its output', /^step,t,distance[^\n]*$/.test(await printed.nth(2).textContent()), await printed.nth(2).textContent());
 await buttons.nth(4).click();
 await page.waitForSelector('.live-result canvas');
-check('a picture that it writes is shown', await page.locator('.live-result canvas').evaluate((c) => c.width === 64 && c.height === 36));
+check('a picture that a command writes is shown', await page.locator('.live-result canvas').evaluate((c) => c.width === 64 && c.height === 36));
 await buttons.nth(5).click();
 await page.waitForSelector('.live-wrong');
-check('its error is shown as the program reports it', (await page.locator('.live-wrong').textContent()).includes('--nonsense'));
-check('what was printed before is still there', await printed.count() === 4);
+check('a command\'s error is shown as the program reports it', (await page.locator('.live-wrong').textContent()).includes('--nonsense'));
+check('the output of earlier commands is still shown', await printed.count() === 4);
 await buttons.nth(6).click();
 await page.waitForSelector('.live-beside.live-window');
 check('a command in the text opens its program below the paragraph', await page.evaluate(() => document.querySelector('main > p').nextElementSibling.matches('.live-on')));
@@ -236,20 +237,20 @@ const judged = async (text) => {
 };
 await page.locator('form.check > button').click();
 await page.waitForSelector('.live-open');
-check('a reader without changes is told so, and no solution is loaded', !asked.some((name) => /_2\.frag/.test(name)));
+check('a reader without changes is offered the editor, and no solution is loaded', !asked.some((name) => /_2\.frag/.test(name)));
 await page.locator('.live-open').click();
 await page.waitForSelector('form + .live-beside.live-window .cm-content');
-check('and gets the editor there', true);
+check('the offered editor opens below the exercise', true);
 const solution = fs.readFileSync(`chapters/solutions/${STEM}_2.frag`, 'utf8');
-check('the solution is right, in the words of make check', await judged(solution) === 'Right: as the solution in 3 pictures: no pixel differs by more than 2 of 255.', await verdict.textContent());
+check('the solution is accepted in the words of make check', await judged(solution) === 'Right: as the solution in 3 pictures: no pixel differs by more than 2 of 255.', await verdict.textContent());
 const wrong = await judged(`${text}\n`);
-check('the unsolved chapter is wrong, in the same words', /^Wrong: 0\.21 % of the pixels differ by more than 2 of 255, at most by \d+, most around 428,131, on the right\./.test(wrong), wrong);
-check('with the picture of the difference', await page.locator('.live-two canvas').count() === 2);
-check('a mistake is reported with its line', /^Wrong: does not run: my\.frag:1: error: /.test(await judged('nonsense')), await verdict.textContent());
-check('the program beside it continues', (await state(page)).runs);
+check('the unsolved chapter is rejected in the words of make check', /^Wrong: 0\.21 % of the pixels differ by more than 2 of 255, at most by \d+, most around 428,131, at the middle right\./.test(wrong), wrong);
+check('a wrong answer is shown with a picture of the difference', await page.locator('.live-two canvas').count() === 2);
+check('a compilation error in an answer is reported with its line number', /^Wrong: does not run: my\.frag:1: error: /.test(await judged('nonsense')), await verdict.textContent());
+check('the program beside the exercise still runs', (await state(page)).runs);
 await page.evaluate(([file, text]) => document.querySelector('.live-on').stage.changes.change(file, text), [ANSWER, text]);
 
-// ---- Two pictures compared ----
+// ---- A comparison of two pictures ----
 
 const comparison = page.locator('button.run[data-other]'), compared = page.locator('.live-beside .live-result .live-verdict');
 const comparedNow = async () => {
@@ -261,28 +262,28 @@ for (const line of PAIR) execFileSync(`build/${STEM}`, [...line.split(' ').slice
 const native = spawnSync('build/tests/compare', ['--words', 'build/web-test/right.png', 'build/web-test/wrong.png'], {encoding: 'utf8'}).stdout.trim();
 const inPage = await comparedNow();
 check('two pictures are compared in the words of make compare', /^[1-9].* % of the pixels differ/.test(native) && inPage === `${native}.`, inPage, native);
-check('both are shown with their difference', await compared.locator('canvas').evaluateAll((all) => all.map((c) => `${c.width}x${c.height}`).join()) === '320x180,320x180,320x180');
-check('and the running program continues', (await state(page)).runs && await page.locator('.live-result .live-two figcaption').first().textContent() === 'right.png');
+check('both compared pictures are shown with their difference', await compared.locator('canvas').evaluateAll((all) => all.map((c) => `${c.width}x${c.height}`).join()) === '320x180,320x180,320x180');
+check('the running program continues after a comparison, and a picture\'s caption is its file name', (await state(page)).runs && await page.locator('.live-result .live-two figcaption').first().textContent() === 'right.png');
 const edit = (text) => page.evaluate(([file, text]) => document.querySelector('.live-on').stage.changes.change(file, text), [FILE, text]);
 await edit(text.replace('rayColour(Ray ray)\n{', 'rayColour(Ray ray)\n{\n    return vec3(0.5);'));
-check('a reader\'s changes are used, and the page says so', await comparedNow() === 'the pictures are the same: no pixel differs.' && await compared.getByText(`With your changes in ${FILE}.`).isVisible(), await compared.textContent());
+check('a comparison uses the reader\'s changes, and the page says so', await comparedNow() === 'the pictures are the same: no pixel differs.' && await compared.getByText(`With your changes in ${FILE}.`).isVisible(), await compared.textContent());
 await buttons.nth(2).click();
-check('and so they are for the output of a command', await page.locator('.live-result > p', {hasText: `With your changes in ${FILE}.`}).waitFor().then(() => true, () => false));
+check('the output of a command uses the reader\'s changes, and the page says so', await page.locator('.live-result > p', {hasText: `With your changes in ${FILE}.`}).waitFor().then(() => true, () => false));
 await first(page).locator('.live-start').click();
 await page.waitForSelector('live-chapter:first-of-type.live-window');
 await edit('nonsense');
-check('a change that does not load is reported with its line', /^They cannot be compared: right\.png does not run: chapters\/03_shadows\.frag:1: error: /.test(await comparedNow()), await compared.textContent());
+check('a change that does not compile is reported with its line number', /^They cannot be compared: right\.png does not run: chapters\/03_shadows\.frag:1: error: /.test(await comparedNow()), await compared.textContent());
 await edit(text);
 await page.locator('.live-result').filter({has: page.locator('.live-verdict')}).getByRole('button', {name: 'Close'}).click();
-check('once closed, it leaves the focus to its button', await compared.count() === 0 && await comparison.evaluate((one) => document.activeElement === one));
+check('Close removes a comparison and gives the focus to its button', await compared.count() === 0 && await comparison.evaluate((one) => document.activeElement === one));
 
-// ---- On paper ----
+// ---- Print ----
 
 await press(page, 'Close');
 await first(page).locator('.live-start').click();
 await page.waitForSelector('.live-window');
 await page.emulateMedia({media: 'print'});
-check('on paper a running program is replaced with its poster', await first(page).locator('img').isVisible() && await page.locator(':is(.live-canvas, .live-controls, .live-status, button):visible').count() === 0);
+check('in print, a running program is replaced with its poster', await first(page).locator('img').isVisible() && await page.locator(':is(.live-canvas, .live-controls, .live-status, button):visible').count() === 0);
 await page.emulateMedia({media: 'screen'});
 
 // ---- A reader's own file ----
@@ -297,38 +298,38 @@ const seen = (near) => page.evaluate((near) => {
     program.show();
 }, near);
 await seen(false);
-check('a page can run a text of its own', await page.evaluate((toy) => document.querySelector('live-chapter').play('play.frag', toy), toy) === 0);
+check('a page can run a text that is not a file of the course', await page.evaluate((toy) => document.querySelector('live-chapter').play('play.frag', toy), toy) === 0);
 await page.evaluate(() => document.querySelector('.live-on').stage.call('live_pixel', 5, 5));
 await seen(true);
-check('it says why it has no ray', (await comes(page, 's.why')).why.startsWith('no march'));
+check('the program says why it shows no ray of a Shadertoy shader', (await comes(page, 's.why')).why.startsWith('no march'));
 await page.evaluate(() => document.querySelector('live-chapter').run(''));
-check('and any chapter can be exported', (await page.evaluate(() => document.querySelector('live-chapter').exported())).includes('void mainImage'));
+check('a chapter can be exported for Shadertoy', (await page.evaluate(() => document.querySelector('live-chapter').exported())).includes('void mainImage'));
 
-// ---- What axe-core finds ----
+// ---- Accessibility ----
 
 await page.addScriptTag({path: 'build/node/node_modules/axe-core/axe.min.js'});
 const audit = () => page.evaluate(async () => (await window.axe.run(document)).violations.map(({id, nodes}) => `${id}: ${nodes.map((n) => n.target).join(' ')}`));
 await press(page, 'Select the middle pixel');
 await page.waitForSelector('.live-table tbody tr');
 const violations = await audit();
-check('axe-core finds nothing', violations.length === 0, violations);
+check('axe-core finds no violations', violations.length === 0, violations);
 await context.close();
 
 // ---- Reduced motion ----
 
 const calm = await open({reducedMotion: 'reduce'});
 now = await run(calm.page);
-check('with reduced motion the first picture is paused, and the page says so', now.paused && now.time === 0 && await calm.page.locator('.live-still').isVisible());
+check('with reduced motion, the first picture is paused, and the page says so', now.paused && now.time === 0 && await calm.page.locator('.live-still').isVisible());
 await press(calm.page, 'Resume');
-check('until the reader starts it', (await comes(calm.page, 's.time > 0.1')).time > 0.1 && !(await state(calm.page)).paused && await calm.page.locator('.live-still').isHidden());
+check('with reduced motion, Resume starts the clock', (await comes(calm.page, 's.time > 0.1')).time > 0.1 && !(await state(calm.page)).paused && await calm.page.locator('.live-still').isHidden());
 await calm.context.close();
 
-// ---- A telephone ----
+// ---- A phone ----
 
 const phone = await open({viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2});
 now = await run(phone.page);
-check('at 390 pixels nothing needs to be scrolled sideways', await phone.page.evaluate(() => document.documentElement.scrollWidth) === 390);
-check('values and ray are folded', await phone.page.locator('details[open]').count() === 0);
+check('a page 390 pixels wide does not scroll sideways', await phone.page.evaluate(() => document.documentElement.scrollWidth) === 390);
+check('on a phone, the sections for the values and the ray are collapsed', await phone.page.locator('details[open]').count() === 0);
 const from = (await state(phone.page)).camera;
 await phone.page.getByRole('button', {name: 'Move', exact: true}).tap();
 const pad = await phone.page.getByRole('button', {name: 'Move forwards'}).boundingBox();
@@ -336,18 +337,18 @@ const touch = await phone.context.newCDPSession(phone.page);
 await touch.send('Input.dispatchTouchEvent', {type: 'touchStart', touchPoints: [{x: pad.x + pad.width / 2, y: pad.y + pad.height / 2}]});
 now = await comes(phone.page, 'Math.abs(s.camera[2] - v[2]) > 0.05', ...from);
 await touch.send('Input.dispatchTouchEvent', {type: 'touchEnd', touchPoints: []});
-check('the pad moves the eye while it is held', Math.abs(now.camera[2] - from[2]) > 0.05, from, now.camera);
-check('its buttons are large enough for a thumb', pad.height >= 44 && pad.width >= 44, pad);
+check('holding a button of the pad moves the camera', Math.abs(now.camera[2] - from[2]) > 0.05, from, now.camera);
+check('the buttons of the pad are large enough for a thumb', pad.height >= 44 && pad.width >= 44, pad);
 await phone.page.locator('.live-canvas').tap({position: {x: 200, y: 130}});
 now = await comes(phone.page, 's.probe');
-check('a tap marches a ray', now.probe?.steps > 0);
+check('a tap on the picture selects a ray', now.probe?.steps > 0);
 await phone.page.waitForSelector('.live-table tbody tr');
-check('its table opens, and does not widen the page', await phone.page.evaluate(() => document.documentElement.scrollWidth) === 390);
+check('the table of the ray opens, and does not widen the page', await phone.page.evaluate(() => document.documentElement.scrollWidth) === 390);
 await phone.page.getByRole('button', {name: 'Values', exact: true}).tap();
-check('nor do the values', await phone.page.evaluate(() => document.documentElement.scrollWidth) === 390);
+check('the values do not widen the page', await phone.page.evaluate(() => document.documentElement.scrollWidth) === 390);
 await phone.context.close();
 
-check('no error in the console', said.length === 0, said);
+check('the console reports no error', said.length === 0, said);
 finish();
 await browser.close();
 server.close();

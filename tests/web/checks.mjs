@@ -1,7 +1,7 @@
-// checks.mjs [PATTERN] - the check of exercises in a page: the course's solution is right and the unsolved chapter
-// wrong, each in a sentence. Of every chapter that PATTERN selects, the exercise with the fewest pictures; without
-// PATTERN a few chapters; with ALL=1 every chapter. `make test SUITE=check` tests every exercise in the same way
-// in the terminal.
+// checks.mjs [PATTERN] - tests the check of exercises in a page: the course's solution is accepted and the unsolved
+// chapter rejected, each with a sentence. In every chapter that PATTERN selects, the exercise with the fewest pictures
+// is tested. Without PATTERN, a few chapters are tested; with ALL=1, every chapter. `make test SUITE=check` tests every
+// exercise in the same way in the terminal.
 import fs from 'node:fs';
 import {blankPage, check, finish, launch, serve, WEB} from './browser.mjs';
 
@@ -24,12 +24,12 @@ const judge = (name, text) => page.evaluate(async ([name, text]) => {
 for (const {name, stem} of fewest.values()) {
     const read = (file) => fs.readFileSync(`chapters/${file}.frag`, 'utf8');
     const solution = await judge(name, read(`solutions/${stem}_${name.slice(3)}`));
-    check(`${name}: the solution is right`, solution.right && solution.words.startsWith('as the solution in '), solution);
+    check(`${name}: the solution is accepted`, solution.right && solution.words.startsWith('as the solution in '), solution);
     const untouched = await judge(name, read(stem));
-    check(`${name}: the unsolved chapter is wrong`, !untouched.right && untouched.words !== '', untouched);
+    check(`${name}: the unsolved chapter is rejected`, !untouched.right && untouched.words !== '', untouched);
 }
-check('there are exercises', fewest.size > 0);
-check('no error in the console', said.length === 0, said);
+check('at least one exercise is tested', fewest.size > 0);
+check('the console reports no error', said.length === 0, said);
 finish();
 await browser.close();
 server.close();

@@ -1,5 +1,5 @@
-// dialects.mjs - the small shaders of tests/shaders/dialects.txt in a browser: each is drawn or refused as its heading
-// says, with the colour that the programs draw.
+// dialects.mjs - tests the small shaders of tests/shaders/dialects.txt in a browser: each is drawn in the colour that
+// the programs draw, or is refused, as its heading says.
 import fs from 'node:fs';
 import {check, finish, launch, openPage, serve, WEB} from './browser.mjs';
 
@@ -19,7 +19,7 @@ for (const {name, kind, right, shader} of cases) {
     const near = colour?.length === 3 && right.split(' ! ')[0].split(',').every((c, i) => Math.abs(c - colour[i]) <= 1);
     if (kind === ':') check(`${name} is drawn`, status === 0 && near, status, said);
     else if (kind === '!') check(`${name} is refused`, status === 1 && said.includes(right), status, said);
-    else check(`${name} is drawn, and says so`, status === 0 && said.includes(right), status, said);
+    else check(`${name} is drawn, with the expected message`, status === 0 && said.includes(right), status, said);
 }
 finish();
 await browser.close();

@@ -1,5 +1,6 @@
-// faults.mjs - errors that readers have found in a page of the site: which wheel and key events scroll, a draft for
-// each exercise, two tabs, unusual addresses, a lost context, the search, a browser without WebGL 2, print.
+// faults.mjs - tests for errors that readers have found in pages of the site: which wheel and key events scroll, a
+// draft for each exercise, two tabs, unusual addresses, a lost context, the search, a browser without WebGL 2, loading
+// and print.
 import {blankPage, check, finish, frames, launch, serve, SITE, whole} from './browser.mjs';
 
 const server = await serve(SITE), browser = await launch();
@@ -14,9 +15,9 @@ async function open(name, context = {viewport: {width: 1440, height: 900}}, more
 const runs = (page) => page.waitForFunction(() => document.querySelector('.live-window')?.program?.state().rate > 0);
 const scrolled = (page, from) => page.waitForFunction((from) => scrollY > from + 50, from).then(() => true, () => false);
 
-// ---- The page has the keyboard until the picture is touched ----
+// ---- The wheel and the keyboard before and after a click on the picture ----
 
-const both = await browser.newContext({viewport: {width: 1440, height: 900}}); // for two tabs
+const both = await browser.newContext({viewport: {width: 1440, height: 900}}); // shared by two tabs
 let {page, said} = await blankPage(both);
 await page.goto(`${server.at}/00_first_scene.html`);
 await page.locator('.live-start').first().click();
@@ -25,15 +26,15 @@ const box = await page.locator('.live-canvas').boundingBox();
 await page.mouse.move(box.x + box.width / 2, box.y + 40);
 let from = await page.evaluate(() => scrollY);
 await page.mouse.wheel(0, 200);
-check('the wheel scrolls the page over a program that has just started', await scrolled(page, from));
+check('the wheel scrolls the page when the pointer is over a program that has just started', await scrolled(page, from));
 for (const key of ['Space', 'PageDown']) {
     await page.evaluate(() => scrollTo(0, 0));
     await page.keyboard.press(key);
-    check(`so does ${key}`, await scrolled(page, 0));
+    check(`${key} scrolls the page when a program has just started`, await scrolled(page, 0));
 }
 await page.evaluate(() => scrollTo(0, 0));
 await page.locator('.live-canvas').click();
-check('a click gives the picture the keyboard', await page.evaluate(() => document.activeElement.className === 'live-canvas'));
+check('a click gives the picture the keyboard focus', await page.evaluate(() => document.activeElement.className === 'live-canvas'));
 
 // ---- A lost context ----
 
@@ -42,12 +43,12 @@ await page.evaluate(() => new Promise((found) => {
     canvas.addEventListener('webglcontextlost', () => setTimeout(() => taken.restoreContext(), 300), {once: true});
     canvas.addEventListener('webglcontextrestored', found, {once: true});
     taken.loseContext();
-    document.querySelector('.live-on').program.call('live_turn'); // a turn that the loss interrupts
+    document.querySelector('.live-on').program.call('live_turn'); // an iteration of the main loop that the loss interrupts
 }));
 await runs(page);
 await frames(page, 40);
-check('no message covers the picture once a lost context is back', await page.locator('.live-notice').isHidden(), await page.locator('.live-notice').textContent());
-check('no error in the console', said.length === 0, said);
+check('once a lost context is restored, no message covers the picture', await page.locator('.live-notice').isHidden(), await page.locator('.live-notice').textContent());
+check('the console reports no error', said.length === 0, said);
 
 // ---- An answer to each exercise ----
 
@@ -55,21 +56,21 @@ const answer = (number) => page.locator(`form.check[data-exercise="00-${number}"
 await answer(1).locator('.answer').click();
 await page.waitForSelector('.live-beside .cm-content');
 await page.evaluate(() => { const {changes} = document.querySelector('.live-on').stage; return changes.change(changes.editor.name, 'nonsense'); });
-check('an exercise has its own text in the editor, named as make check names it', await page.evaluate(() => document.querySelector('[role=tab]').textContent) === 'my.frag' && await page.getByRole('button', {name: 'Download my.frag'}).count() === 1);
+check('the editor shows an exercise as a separate file, my.frag, as make check calls it', await page.evaluate(() => document.querySelector('[role=tab]').textContent) === 'my.frag' && await page.getByRole('button', {name: 'Download my.frag'}).count() === 1);
 await answer(2).locator('button').first().click();
 await page.waitForFunction(() => document.querySelectorAll('.live-open').length > 0);
-check('another exercise contains none of it', (await answer(2).locator('.live-verdict').textContent()).startsWith('You have not changed'));
+check('a change to one exercise does not appear in another', (await answer(2).locator('.live-verdict').textContent()).startsWith('You have not changed'));
 await answer(1).locator('button').first().click();
 await page.waitForFunction(() => /Wrong/.test(document.querySelector('form[data-exercise="00-1"] .live-verdict')?.textContent));
-check('while its own check judges it', /^Wrong: does not run: my\.frag:1:/.test(await answer(1).locator('.live-verdict').textContent()), await answer(1).locator('.live-verdict').textContent());
+check('the check of the changed exercise judges the change', /^Wrong: does not run: my\.frag:1:/.test(await answer(1).locator('.live-verdict').textContent()), await answer(1).locator('.live-verdict').textContent());
 
-// A change that never ends also loses the context.
+// A reader's change that makes the shader run for ever also ends in a lost context.
 await page.evaluate(() => {
     window.taken = document.querySelector('.live-canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
     window.taken.loseContext();
 });
 await page.waitForSelector('.live-notice:not([hidden])');
-check('a reader whose change stops the driver can undo it there', await page.locator('.live-notice').getByRole('button', {name: 'Undo all'}).isVisible());
+check('the message about a lost context has a button that undoes the reader\'s changes', await page.locator('.live-notice').getByRole('button', {name: 'Undo all'}).isVisible());
 await page.evaluate(() => window.taken.restoreContext());
 await page.waitForSelector('.live-notice', {state: 'hidden'});
 
@@ -85,7 +86,7 @@ await page.waitForFunction(() => /Another tab/.test(document.body.innerText));
 check('a change in another tab is reported', true);
 await page.getByRole('button', {name: 'Take the other text'}).click();
 await page.waitForFunction(() => document.querySelector('.cm-content').textContent.includes('of the other tab'));
-check('and taken over when the reader says so', await page.getByText('Another tab has changed').isHidden());
+check('the reader can take the text of the other tab', await page.getByText('Another tab has changed').isHidden());
 await both.close();
 
 // ---- Addresses ----
@@ -106,10 +107,10 @@ const contrast = await start.evaluate((one) => {
     const [a, b] = [getComputedStyle(one).color, getComputedStyle(one).backgroundColor].map(light);
     return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
 });
-check('the button is legible under the pointer', contrast > 4.5, contrast);
+check('the start button is legible while the pointer is over it', contrast > 4.5, contrast);
 const [picture, button] = [await page.locator('.live-screen').first().boundingBox(), await start.boundingBox()];
-check('and is in a corner of the picture', button.x + button.width < picture.x + picture.width / 3 && button.y > picture.y + picture.height * 0.75, picture, button);
-check('the buttons have the font of the text', await page.evaluate(() => new Set(['.live-start', '.run', 'main p'].map((one) => getComputedStyle(document.querySelector(one)).fontFamily)).size) === 1);
+check('the start button is at the bottom left of the picture', button.x + button.width < picture.x + picture.width / 3 && button.y > picture.y + picture.height * 0.75, picture, button);
+check('the buttons have the same font as the text', await page.evaluate(() => new Set(['.live-start', '.run', 'main p'].map((one) => getComputedStyle(document.querySelector(one)).fontFamily)).size) === 1);
 await page.close();
 
 // ---- The search ----
@@ -121,9 +122,9 @@ const search = async (words) => {
     return page.locator('.results a').evaluateAll((all) => all.map((one) => one.textContent));
 };
 let results = await search('shadow');
-check('a word of a page\'s title finds that page first', /^03 Shadows/.test(results[0]), results.slice(0, 3));
+check('a search for a word of a page\'s title finds that page first', /^03 Shadows/.test(results[0]), results.slice(0, 3));
 const list = await page.locator('.results').boundingBox();
-check('the list is within the telephone', list.x >= 0 && list.x + list.width <= 390, list);
+check('the list of results is within the phone\'s screen', list.x >= 0 && list.x + list.width <= 390, list);
 const cut = await page.evaluate(() => {
     const texts = [...document.querySelectorAll('.results a > small:last-child')].map((one) => one.textContent);
     const index = document.createElement('script');
@@ -136,13 +137,13 @@ const cut = await page.evaluate(() => {
         document.head.append(index);
     });
 });
-check('no word of an excerpt is cut', cut.length === 0, cut);
+check('an excerpt in the results begins and ends with a whole word', cut.length === 0, cut);
 await page.reload();
 results = await search('shadoow');
-check('a mistyped word is understood', results.length > 3 && /shadow/i.test(results[0]), results.slice(0, 3));
+check('a search for a mistyped word finds the intended word', results.length > 3 && /shadow/i.test(results[0]), results.slice(0, 3));
 results = await search('sdf torus');
-check('not all words of a query must occur, and sdf means signed distance', results.length > 3 && /torus/i.test(results[0]), results.slice(0, 3));
-check('no error in the console', said.length === 0, said);
+check('a page need not contain every word of a query, and sdf finds signed distances', results.length > 3 && /torus/i.test(results[0]), results.slice(0, 3));
+check('the console reports no error', said.length === 0, said);
 await page.close();
 
 // ---- A browser without WebGL 2 ----
@@ -152,7 +153,7 @@ await page.close();
     HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind === 'webgl2' ? null : own.call(this, kind, ...more); };
 }}));
 await page.locator('.live-start').first().click();
-check('without WebGL 2 the page says what it still shows', await page.locator('.live-said').textContent() === 'This browser has no WebGL 2, so no program can run here; all text and pictures are shown.');
+check('without WebGL 2, the page says what it still shows', await page.locator('.live-said').textContent() === 'This browser has no WebGL 2, so no program can run here; all text and pictures are shown.');
 await page.close();
 
 // ---- Loading ----
@@ -165,9 +166,9 @@ await page.evaluate(() => document.fonts.ready);
 await frames(page, 30);
 const shift = await page.evaluate(() => window.shift);
 console.log(`# layout shift of 01: ${shift.toFixed(4)}`);
-check('nothing moves while a page loads', shift < 0.02, shift);
+check('the layout hardly shifts while a page loads', shift < 0.02, shift);
 await page.close();
-// Only the first screen of a long page is laid out before it is shown, and the rest while there is time.
+// Only the first screen of a long page is laid out before the page is shown; the rest is laid out later, with timers.
 const LONG = '10_distance_in_the_plane.html', there = (page) => page.waitForFunction(() => Math.abs(document.getElementById('exit-questions').getBoundingClientRect().top - 64) < 8).then(() => true, () => false);
 ({page} = await open(LONG, PHONE, {before: () => {
     addEventListener('DOMContentLoaded', () => { window.first = document.querySelector('main').innerText.length; });
@@ -178,15 +179,15 @@ await page.close();
 const never = () => { window.setTimeout = () => 0; };
 ({page} = await blankPage(browser, {context: {viewport: {width: 1440, height: 900}}, before: never}));
 await page.goto(`${server.at}/${LONG}`);
-check('the rest is not there yet', !await page.locator('#exit-questions').isVisible());
+check('without timers, the rest of a long page is not laid out', !await page.locator('#exit-questions').isVisible());
 await page.locator('.sections a[href="#exit-questions"]').click();
-check('but a link to it is followed', await there(page));
+check('a link to a part that is not laid out yet is followed', await there(page));
 await page.goto(`${server.at}/index.html`);
 await page.goto(`${server.at}/${LONG}#exit-questions`);
-check('and so is an address within it', await there(page));
+check('an address of a part that is not laid out yet is followed', await there(page));
 await page.goto(`${server.at}/index.html`);
 await page.goto(`${server.at}/${LONG}#:~:text=A%20star%20in%20one%20stroke`);
-check('and an address that quotes words of the rest', await page.getByText('A star in one stroke').first().isVisible());
+check('an address that quotes words of a part that is not laid out yet is followed', await page.getByText('A star in one stroke').first().isVisible());
 await page.close();
 ({page} = await open('01_normal_colouring.html'));
 const policy = await page.evaluate(() => new Promise((told) => {
@@ -195,10 +196,10 @@ const policy = await page.evaluate(() => new Promise((told) => {
     script.textContent = 'window.injected = true';
     document.head.append(script);
 }));
-check('a script that is not the site\'s own is not run', policy.startsWith('script-src') && await page.evaluate(() => window.injected === undefined));
+check('a script that is not part of the site does not run', policy.startsWith('script-src') && await page.evaluate(() => window.injected === undefined));
 await page.emulateMedia({media: 'print'});
 const sizes = await page.evaluate(() => ['figcaption', 'main > p:not(.note)'].map((one) => parseFloat(getComputedStyle(document.querySelector(one)).fontSize)));
-check('on paper captions are smaller than the text', sizes[0] < sizes[1] && Math.abs(sizes[1] - 14) < 0.2, sizes);
+check('in print, captions are smaller than the text', sizes[0] < sizes[1] && Math.abs(sizes[1] - 14) < 0.2, sizes);
 await page.emulateMedia({media: 'screen'});
 const bleeding = await page.evaluate(() => [...document.querySelectorAll('main > .listing')].filter((one) => one.getBoundingClientRect().width > document.querySelector('main > p:not(.note)').getBoundingClientRect().width + 1
     && one.querySelector('code').textContent.split('\n').every((line) => line.length <= 84)).length);

@@ -1,12 +1,12 @@
-// figures.mjs [PATTERN] - the interactive figures of every chapter's page: each runs in its place, and one of its
-// points responds: in every other figure to the mouse at 1440 pixels, in the rest to a finger at 390. The time that
-// this takes is printed but not judged. Every third chapter is tried, with two figures; with ALL=1 all chapters, with
-// all figures; with PATTERN the chapters that match.
+// figures.mjs [PATTERN] - tests the interactive figures of the chapters' pages: each starts in place, and its first
+// point can be dragged. Every other figure is dragged with the mouse in a page 1440 pixels wide, the rest with a finger
+// in a page 390 pixels wide. The time until a point responds is printed but not judged. Two figures of every third
+// chapter are tested; with PATTERN, two of each chapter that matches; with ALL=1, all figures of all chapters.
 import fs from 'node:fs';
 import {blankPage, check, finish, launch, PATIENCE, serve, SITE, whole} from './browser.mjs';
 
 const pattern = new RegExp(process.argv[2] || '');
-const MOST = process.env.ALL ? Infinity : 2; // figures per page
+const MOST = process.env.ALL ? Infinity : 2; // the largest number of figures tested per page
 const names = fs.readdirSync(SITE).filter((name) => /^\d\d_\w+\.html$/.test(name) && pattern.test(name)).sort()
     .filter((_, i) => process.argv[2] || process.env.ALL || i % 3 === 0);
 const server = await serve(SITE), browser = await launch(), waits = [];
@@ -26,12 +26,13 @@ async function comes(page, right) {
     }
 }
 
-// Run a figure, and drag its first point a little towards the middle. Returns what was wrong, or ''.
+// Run a figure, and drag its first point a little towards the middle of the picture. Returns what is wrong, or '' if
+// the point has moved.
 async function answers(page, figure, phone) {
     await figure.evaluate((one) => { for (let fold = one; (fold = fold.parentElement.closest('details'));) fold.open = true; one.scrollIntoView({block: 'center', behavior: 'instant'}); });
     await figure.locator('.live-start')[phone ? 'tap' : 'click']();
     let now = await comes(page, ({points}) => points.length > 0);
-    if (!now?.points.length) return 'no point';
+    if (!now?.points.length) return 'it has no point';
     await page.evaluate(() => document.querySelector('.live-screen:has(.live-canvas)').scrollIntoView({block: 'center', behavior: 'instant'}));
     now = await state(page);
     const [x, y] = now.points[0], to = [x + (now.middle[0] > x ? 24 : -24), y + (now.middle[1] > y ? 16 : -16)];
@@ -48,7 +49,7 @@ async function answers(page, figure, phone) {
     const before = now.values;
     now = await comes(page, ({values}) => values !== before);
     waits.push(performance.now() - begun);
-    return now.values === before ? 'its point does not move' : '';
+    return now.values === before ? 'its first point does not move' : '';
 }
 
 for (const name of names) {
@@ -70,7 +71,7 @@ for (const name of names) {
     check(`${name}: at least two figures respond to the pointer`, count >= 2 && wrong.length === 0, count, wrong);
 }
 waits.sort((a, b) => a - b);
-if (waits.length > 0) console.log(`# from the press to the new value: median ${waits[waits.length >> 1].toFixed(0)} ms, at most ${waits.at(-1).toFixed(0)} ms, of ${waits.length}; ${fs.readFileSync('/proc/loadavg', 'utf8').split(' ')[0]} programs want the processors`);
+if (waits.length > 0) console.log(`# time from the press to the new value: median ${waits[waits.length >> 1].toFixed(0)} ms, at most ${waits.at(-1).toFixed(0)} ms, of ${waits.length}; load average ${fs.readFileSync('/proc/loadavg', 'utf8').split(' ')[0]}`);
 finish();
 await browser.close();
 server.close();

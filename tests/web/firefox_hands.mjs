@@ -1,12 +1,12 @@
-// firefox_hands.mjs - an interactive figure of the site in Firefox, at 1440 and at 390 pixels: it runs in its place,
-// and its points respond to the mouse, a finger and the keys.
+// firefox_hands.mjs - tests an interactive figure of the site in Firefox, in pages 1440 and 390 pixels wide: it starts
+// in place, and its points respond to the mouse, a finger and the keys.
 import {PATIENCE, check, finish, serve, SITE} from './browser.mjs';
 import {Page} from './fox.mjs';
 
 const server = await serve(SITE);
 
-// The state of the program, the positions of the figure's points on the screen, and how far the page is scrolled, once
-// a condition holds.
+// Wait until a condition holds, or until time runs out. Returns the values of the parameters, the positions of the
+// figure's points on the screen, and how far the page is scrolled.
 async function comes(page, right) {
     for (const begun = Date.now(); ;) {
         const now = await page.evaluate(() => {
@@ -33,20 +33,20 @@ for (const [width, height, type] of [[1440, 900, 'mouse'], [390, 844, 'touch']])
     });
     await page.drag(begin, begin, type);
     let now = await comes(page, ({handles}) => handles.ball);
-    check(`${width} pixels: the figure runs where it is touched`, Object.keys(now?.handles ?? {}).join() === 'eye,aim,ball', now);
+    check(`${width} pixels: the figure starts in place`, Object.keys(now?.handles ?? {}).join() === 'eye,aim,ball', now);
     const {x, y} = now.handles.ball, scroll = now.scroll, from = [Math.round(x), Math.round(y)];
     await page.drag(from, [from[0] + 10, from[1] + 40], type);
     now = await comes(page, ({handles}) => Math.abs(handles.ball.y - y - 40) < 4);
-    check(`${width} pixels: a point follows the ${type}, and the page stays`, Math.abs(now.handles.ball.y - y - 40) < 4 && now.scroll === scroll, y, now);
+    check(`${width} pixels: a point follows the ${type}, and the page does not scroll`, Math.abs(now.handles.ball.y - y - 40) < 4 && now.scroll === scroll, y, now);
     const [right] = now.values.ball;
     await page.press('ArrowRight');
     now = await comes(page, ({values}) => values.ball[0] > right);
-    check(`${width} pixels: then the arrow keys move it`, now.values.ball[0] > right, right, now.values);
+    check(`${width} pixels: an arrow key moves the point that was dragged`, now.values.ball[0] > right, right, now.values);
     await page.press('Enter');
     await page.press('Enter');
     now = await comes(page, ({handles}) => handles.eye.focused);
-    check(`${width} pixels: and Enter goes to the next`, now.handles.eye.focused, now.handles);
-    check(`${width} pixels: no error in the console`, page.said.length === 0, page.said);
+    check(`${width} pixels: Enter moves the focus to another point`, now.handles.eye.focused, now.handles);
+    check(`${width} pixels: the console reports no error`, page.said.length === 0, page.said);
     await page.close();
 }
 finish();

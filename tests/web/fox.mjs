@@ -1,6 +1,6 @@
-// fox.mjs - Debian's Firefox for the tests, driven through WebDriver BiDi: a page, with the functions that browser.mjs
+// fox.mjs - drives Debian's Firefox for the tests through WebDriver BiDi: a page, with the functions that browser.mjs
 // needs. Firefox offers WebGL only if there is a display, so tests/run starts a virtual one. Playwright requires
-// features that this Firefox does not have yet, so we have a driver of our own.
+// features that this Firefox does not have yet, so the tests have their own driver.
 import {spawn} from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -82,7 +82,7 @@ export class Page {
         return this.act('key', [{type: 'keyDown', value}, {type: 'keyUp', value}]);
     }
 
-    // From one position in the page to another, with the button down; a click if they are equal.
+    // Drag from one position in the page to another. If the positions are equal, this is a click.
     drag(from, to, type = 'mouse') {
         const actions = [{type: 'pointerMove', x: from[0], y: from[1]}, {type: 'pointerDown', button: 0}];
         for (let i = 1; i <= 8 && (from[0] !== to[0] || from[1] !== to[1]); i++)

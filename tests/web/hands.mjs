@@ -1,5 +1,6 @@
-// hands.mjs - pages that respond to the hand: a picture that runs in its place, the points of an interactive figure
-// with mouse, finger and keys, numbers in sentences, guesses, the phone, the front page. At 1440 and at 390 pixels.
+// hands.mjs - tests pages that respond to the mouse, a finger and the keys: a picture that becomes a program, the
+// points of an interactive figure, clay, numbers in sentences, guesses, a phone and the front page. The pages are 1440
+// or 390 pixels wide; figures and clay are tested at both widths.
 import {blankPage, check, finish, frames, holds, launch, PATIENCE, serve, SITE, whole} from './browser.mjs';
 
 const server = await serve(SITE), browser = await launch();
@@ -19,20 +20,20 @@ async function comes(page, right, ...values) {
     }, [right, values], {timeout: PATIENCE}).catch(() => {});
     return state(page);
 }
-// The position of a point of the figure on the screen.
+// The position on the screen of one of the figure's points.
 async function handle(page, name) {
     const box = await page.locator('.live-canvas').boundingBox(), {x, y} = (await state(page)).handles.find((one) => one.name === name);
     return [box.x + x * box.width, box.y + y * box.height];
 }
 const value = async (page, name) => (await state(page)).parameters.find((one) => one.name === name).value;
 
-// ---- A picture that runs in its place ----
+// ---- A picture that becomes a program ----
 
-let {page, said} = await open('01_normal_colouring.html', {...DESK, bypassCSP: true}); // the tests evaluate strings
+let {page, said} = await open('01_normal_colouring.html', {...DESK, bypassCSP: true}); // the test evaluates strings as code, which the site's policy forbids
 const picture = page.locator('.in-place:has(img[src*="slice-silhouette"])');
 await picture.scrollIntoViewIfNeeded();
 const before = await picture.locator('.live-screen').boundingBox();
-await page.evaluate(() => { // is the still picture there until the first frame?
+await page.evaluate(() => { // record whether the still picture is visible until the first frame
     window.seen = [];
     const at = document.querySelector('.in-place:has(img[src*="slice-silhouette"])'), look = () => {
         window.seen.push(at.classList.contains('live-drawn') || getComputedStyle(at.querySelector('.live-screen > img')).display !== 'none');
@@ -43,18 +44,18 @@ await page.evaluate(() => { // is the still picture there until the first frame?
 const begun = Date.now();
 await picture.locator('img').click();
 await page.waitForSelector('.live-drawn');
-console.log(`# from the touch to the first frame, with the module: ${Date.now() - begun} ms`);
+console.log(`# from the click to the first frame, including loading the module: ${Date.now() - begun} ms`);
 let now = await comes(page, 's.probe');
-check('a picture runs in its place, with its view and its ray', now.view === 'slice' && now.paused && Math.abs(now.pixel[0] / now.size[0] - 340 / 640) < 0.01, now.view, now.pixel, now.size);
+check('a click on a picture runs its program, with the view and the ray that the picture shows', now.view === 'slice' && now.paused && Math.abs(now.pixel[0] / now.size[0] - 340 / 640) < 0.01, now.view, now.pixel, now.size);
 const after = await picture.locator('.live-screen').boundingBox();
-check('in the same place and size', ['x', 'y', 'width', 'height'].every((side) => Math.abs(before[side] - after[side]) < 2), before, after);
-check('the still picture stays until the first frame', await page.evaluate(() => window.seen.length > 1 && window.seen.every(Boolean)));
+check('the program has the same position and size as the picture that it replaces', ['x', 'y', 'width', 'height'].every((side) => Math.abs(before[side] - after[side]) < 2), before, after);
+check('the still picture stays visible until the first frame', await page.evaluate(() => window.seen.length > 1 && window.seen.every(Boolean)));
 const other = page.locator('.in-place:has(img[src*="normals"])').first();
 await other.scrollIntoViewIfNeeded();
 await other.locator('.live-start').click();
 await page.waitForFunction(() => document.querySelector('.live-drawn img')?.src.includes('normals'));
-check('the page\'s program moves to the next picture, and the first is still again', await page.locator('.live-canvas').count() === 1 && await picture.locator('img').isVisible());
-check('no error in the console', said.length === 0, said);
+check('the page\'s program moves to a second picture, and the first becomes a still picture again', await page.locator('.live-canvas').count() === 1 && await picture.locator('img').isVisible());
+check('the console reports no error', said.length === 0, said);
 await page.close();
 
 // ---- The points of a figure ----
@@ -82,14 +83,14 @@ for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
         await page.mouse.up();
     }
     check(`${name}: a point follows ${phone ? 'the finger' : 'the mouse'}`, await holds(page, async () => Math.abs((await handle(page, 'ball'))[1] - y - 42) < 4), y, await handle(page, 'ball'));
-    check(`${name}: and the page does not scroll`, await page.evaluate(() => scrollY) === scroll);
+    check(`${name}: dragging a point does not scroll the page`, await page.evaluate(() => scrollY) === scroll);
     if (phone) {
         const box = await page.locator('.live-canvas').boundingBox(), from = [box.x + 12, box.y + box.height - 12], all = JSON.stringify((await state(page)).parameters);
         await touch('touchStart', from);
         for (let i = 1; i <= 12; i++) await touch('touchMove', [from[0], from[1] - 20 * i]);
         await touch('touchEnd');
         await page.waitForFunction((scroll) => scrollY > scroll + 50, scroll).catch(() => {});
-        check(`${name}: a swipe beside the points scrolls the page, and moves nothing`, await page.evaluate(() => scrollY) > scroll + 50 && JSON.stringify((await state(page)).parameters) === all);
+        check(`${name}: a swipe beside the points scrolls the page and does not move a point`, await page.evaluate(() => scrollY) > scroll + 50 && JSON.stringify((await state(page)).parameters) === all);
     }
     await page.evaluate(() => document.activeElement.blur());
     await page.locator('.live-canvas').focus();
@@ -99,16 +100,16 @@ for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
     const focused = now.handles.find((one) => one.focused)?.name, stood = await value(page, focused);
     await page.keyboard.press('ArrowRight');
     now = await comes(page, 's.parameters.find((p) => p.name === v[0]).value[0] > v[1]', focused, stood[0]);
-    check(`${name}: with the keyboard a point is focused, and the arrow keys move it`, (await value(page, focused))[0] > stood[0], focused, stood);
-    for (let i = 0; i < 2; i++) await page.keyboard.press('Enter'); // the ball is the last one: then none is selected, then the first
+    check(`${name}: the keyboard can focus a point, and an arrow key moves it`, (await value(page, focused))[0] > stood[0], focused, stood);
+    for (let i = 0; i < 2; i++) await page.keyboard.press('Enter'); // the ball is the last point, so Enter first selects none, and then the first point
     now = await comes(page, 's.handles.some((one) => one.focused && one.name !== v[0])', focused);
     check(`${name}: Enter selects the next point`, ![undefined, focused].includes(now.handles.find((one) => one.focused)?.name));
-    check(`${name}: nothing to scroll sideways`, await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
-    check(`${name}: no error in the console`, said.length === 0, said);
+    check(`${name}: the page does not scroll sideways`, await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+    check(`${name}: the console reports no error`, said.length === 0, said);
     await page.close();
 }
 
-// ---- Clay that is sculpted ----
+// ---- Sculpted clay ----
 
 for (const [name, context] of [['mouse', DESK], ['finger', PHONE]]) {
     ({page, said} = await open('23_stored_distances.html', {...context, bypassCSP: true}));
@@ -123,14 +124,14 @@ for (const [name, context] of [['mouse', DESK], ['finger', PHONE]]) {
         program.call('live_set', 'tool', 0, 0.1);
     });
     now = await comes(page, 's.tool');
-    await page.getByRole('button', {name: 'Undo stroke'}).waitFor({timeout: PATIENCE}).catch(() => {}); // the page shows it after the state has come
-    check(`${name}: a tool has a button that undoes its last stroke`, now.tool === true && await page.getByRole('button', {name: 'Undo stroke'}).count() === 1);
+    await page.getByRole('button', {name: 'Undo stroke'}).waitFor({timeout: PATIENCE}).catch(() => {}); // the page shows the button after the state has changed
+    check(`${name}: a sculpting tool has a button that undoes its last stroke`, now.tool === true && await page.getByRole('button', {name: 'Undo stroke'}).count() === 1);
     await page.evaluate(() => document.querySelector('.live-screen:has(.live-canvas)').scrollIntoView({block: 'center', behavior: 'instant'}));
     const shot = async () => (await page.locator('.live-canvas').screenshot()).toString('base64');
-    let bare = ''; // the picture, once it no longer changes
+    let bare = ''; // the picture before the stroke, once it no longer changes
     await holds(page, async () => {
         const last = bare;
-        await frames(page, 30); // a picture at rest is sharpened by then
+        await frames(page, 30); // by then, a picture at rest has been sharpened
         bare = await shot();
         return bare === last;
     });
@@ -149,8 +150,8 @@ for (const [name, context] of [['mouse', DESK], ['finger', PHONE]]) {
     }
     check(`${name}: a drag over the clay adds clay`, await holds(page, async () => await shot() !== bare));
     await page.evaluate(() => [...document.querySelectorAll('button')].find((one) => one.textContent.trim() === 'Undo stroke' || one.title === 'Undo stroke' || one.ariaLabel === 'Undo stroke').click());
-    check(`${name}: which the button undoes`, await holds(page, async () => await shot() === bare));
-    check(`${name}: no error in the console`, said.length === 0, said);
+    check(`${name}: the button undoes the stroke`, await holds(page, async () => await shot() === bare));
+    check(`${name}: the console reports no error`, said.length === 0, said);
     await page.close();
 }
 
@@ -168,24 +169,24 @@ let box = await code.boundingBox();
 await page.mouse.move(box.x + 40, box.y + 8);
 await page.mouse.down();
 now = await comes(page, 's.parameters.find((p) => p.name === "lampHeight").value[0] === 2');
-check('a number that is touched is set in the nearest picture', (await value(page, 'lampHeight'))[0] === 2);
+check('a press on a number sets that value in the nearest picture', (await value(page, 'lampHeight'))[0] === 2);
 await page.mouse.move(box.x + 100, box.y + 8, {steps: 5});
 await page.mouse.up();
 let height;
-check('when dragged sideways, it grows, in the sentence and in the picture', await holds(page, async () => {
+check('dragging a number to the right increases the value, in the sentence and in the picture', await holds(page, async () => {
     [height] = await value(page, 'lampHeight');
     return height > 2.5 && await code.textContent() === `lampHeight=${Number(height.toPrecision(3))}`;
 }), height, await code.textContent());
 await page.keyboard.press('ArrowLeft');
 now = await comes(page, 's.parameters.find((p) => p.name === "lampHeight").value[0] < v[0]', height);
-check('and the arrow keys change it too', (await value(page, 'lampHeight'))[0] < height && Number(await code.getAttribute('aria-valuenow')) < height);
+check('the arrow keys change the number too', (await value(page, 'lampHeight'))[0] < height && Number(await code.getAttribute('aria-valuenow')) < height);
 await page.evaluate(() => scrollTo({top: 4000, behavior: 'instant'}));
 await page.evaluate(() => document.querySelector('code.scrub').focus({preventScroll: true}));
 await page.keyboard.press('ArrowRight');
 await page.waitForSelector('.live-afloat');
 box = await page.locator('.live-canvas').boundingBox();
 check('a picture that is scrolled out of view becomes visible while its number is changed', box.y >= 0 && box.y + box.height <= 900, box);
-check('no error in the console', said.length === 0, said);
+check('the console reports no error', said.length === 0, said);
 await page.close();
 
 // ---- Predict first ----
@@ -196,78 +197,78 @@ await answer.locator('summary').click();
 check('an answer asks for a guess before it opens', !await answer.evaluate((one) => one.open) && /Guess first/.test(await guess.locator('output').textContent()));
 await guess.getByLabel('the one that just misses').check();
 await guess.getByRole('button').click();
-check('then it opens and says whether that is right', await answer.evaluate((one) => one.open) && await answer.locator('.guessed').textContent() === 'Your guess: the one that just misses. That is right.', await answer.textContent());
+check('after a guess, the answer opens and says whether the guess is right', await answer.evaluate((one) => one.open) && await answer.locator('.guessed').textContent() === 'Your guess: the one that just misses. That is right.', await answer.textContent());
 await page.reload();
-check('the guess is kept', await answer.locator('.guessed').textContent() === 'Your guess: the one that just misses. That is right.');
+check('a guess is still there after a reload', await answer.locator('.guessed').textContent() === 'Your guess: the one that just misses. That is right.');
 const counted = page.locator('form.guess[data-kind=number]').first();
 await counted.locator('input').fill('3');
 await counted.getByRole('button').click();
-check('for a number, the page says how close the guess was', await page.getByText('Your guess: 3. It is 1: you were off by a factor of 3.0.').isVisible());
+check('if the guess is a number, the page says how close it was', await page.getByText('Your guess: 3. It is 1: you were off by a factor of 3.0.').isVisible());
 const second = page.locator('form.guess:not([data-kind])').first();
 await second.evaluate((form) => { let next = form; while (!next.matches('details')) next = next.nextElementSibling; next.id = 'second'; });
 await page.locator('#second summary').click();
 await page.locator('#second summary').click();
-check('the answer opens at the second click, without a guess', await page.locator('#second').evaluate((one) => one.open));
+check('an answer opens at the second click even without a guess', await page.locator('#second').evaluate((one) => one.open));
 const question = page.locator('form.question').first();
 await question.getByRole('radio').first().check();
 check('a question says why an answer is wrong', /^The steps have no fixed size/.test(await question.locator('output').textContent()));
 await question.getByRole('radio').nth(1).check();
-check('and that the right one is right', await question.locator('output').textContent() === 'That is right.');
-check('no error in the console', said.length === 0, said);
+check('a question says that the right answer is right', await question.locator('output').textContent() === 'That is right.');
+check('the console reports no error', said.length === 0, said);
 await page.close();
 
-// A guess that is a point of a picture: the stripes of page 03 lie on the near part of the stage.
+// In some questions, the guess is a point in a picture. The stripes of page 03 are on the near part of the stage.
 ({page, said} = await open('03_shadows.html', PHONE));
 const pointed = page.locator('form.guess[data-kind=tap]').first(), tapped = pointed.locator('.tap'), area = await tapped.boundingBox();
 await tapped.tap({position: {x: 0.15 * area.width, y: 0.8 * area.height}});
 await pointed.getByRole('button', {name: 'Keep my guess'}).tap();
-check('for a tap beside it, the page says how far off it was', await page.getByText('Your guess: the mark. You were off by 20 %').isVisible());
+check('if the tap misses the right area, the page says how far off it was', await page.getByText('Your guess: the mark. You were off by 20 %').isVisible());
 await tapped.focus();
 for (let i = 0; i < 12; i++) await page.keyboard.press('ArrowRight');
 await pointed.getByRole('button', {name: 'Keep my guess'}).tap();
-check('the arrow keys move the mark to the right point', await page.getByText('Your guess: the mark. That is right.').isVisible());
-check('no error in the console', said.length === 0, said);
+check('the arrow keys can move the mark to the right area', await page.getByText('Your guess: the mark. That is right.').isVisible());
+check('the console reports no error', said.length === 0, said);
 await page.close();
 
-// ---- A telephone ----
+// ---- A phone ----
 
 ({page, said} = await open('01_normal_colouring.html', {...PHONE, bypassCSP: true}));
 await page.locator('.live-start').first().tap();
 await comes(page, 's.rate > 0');
 const icons = await page.locator('.live-iconed:not([hidden])').evaluateAll((all) => all.map((one) => one.getBoundingClientRect()).map(({top, height, width}) => [Math.round(top), height, width]));
-check('the controls are one row of icons, large enough for a thumb', icons.length === 9 && new Set(icons.map(([top]) => top)).size === 1 && icons.every(([, height, width]) => height >= 44 && width >= 32), icons);
+check('the controls are a single row of icons, large enough for a thumb', icons.length === 9 && new Set(icons.map(([top]) => top)).size === 1 && icons.every(([, height, width]) => height >= 44 && width >= 32), icons);
 await page.locator('.live-canvas').tap({position: {x: 190, y: 120}});
 await page.waitForSelector('.live-slice:not([hidden])');
 await page.waitForFunction(() => document.querySelector('.live-slice').width > 0);
 const [canvas, slice] = [await page.locator('.live-canvas').boundingBox(), await page.locator('.live-slice').boundingBox()];
 check('the slice of the ray opens below the picture', slice.y > canvas.y + canvas.height && slice.y < canvas.y + canvas.height + 80 && slice.width > 340, canvas, slice);
 const orange = await page.locator('.live-slice').evaluate((one) => [...one.getContext('2d').getImageData(one.width / 4, one.height / 4, 1, 1).data]);
-check('and is drawn, while the picture still shows the picture', orange[0] > orange[2] && (await state(page)).view === 'picture', orange);
+check('the slice of the ray is drawn, while the program stays in the view of the picture', orange[0] > orange[2] && (await state(page)).view === 'picture', orange);
 await page.getByRole('button', {name: 'Move', exact: true}).tap();
-check('Move shows the arrows', await page.getByRole('button', {name: 'Move forwards'}).isVisible());
-check('no error in the console', said.length === 0, said);
+check('Move shows the arrow buttons', await page.getByRole('button', {name: 'Move forwards'}).isVisible());
+check('the console reports no error', said.length === 0, said);
 await page.close();
 
 // ---- The front page ----
 
-// The film begins after a while; here it begins when the test says so.
+// The front page starts the film after a few seconds; here the test decides when it starts.
 const hold = () => {
     const own = setTimeout, held = [];
     window.setTimeout = (act, wait, ...more) => wait >= 2000 ? held.push(act) : own(act, wait, ...more);
     window.passes = () => { for (const act of held.splice(0)) act(); return document.querySelector('img[data-film]').src.split('/').at(-1); };
 };
 ({page, said} = await open('index.html', DESK, hold));
-check('the front page begins with a still picture, whose file is small', await page.evaluate(() => document.querySelector('img[data-film]').currentSrc.endsWith('21_a_landscape.webp')));
+check('the front page starts with a still picture in a small file', await page.evaluate(() => document.querySelector('img[data-film]').currentSrc.endsWith('21_a_landscape.webp')));
 await page.evaluate(() => window.passes());
 await page.waitForFunction(() => document.querySelector('img[data-film]').currentSrc.endsWith('day.webp'));
-check('and continues with a film of a day', true);
+check('the front page then shows a film of a day', true);
 await page.locator('a.begin').click();
 await page.waitForSelector('.live-window.live-editing .cm-content');
-check('its button starts a ball, and opens its text', new URL(page.url()).pathname === '/play.html' && /sdSphere/.test(await page.locator('.cm-content').textContent()));
+check('the button of the front page starts the program of a ball and opens its text', new URL(page.url()).pathname === '/play.html' && /sdSphere/.test(await page.locator('.cm-content').textContent()));
 const [left, right] = [await page.locator('.live-canvas').boundingBox(), await page.locator('.live-editor').boundingBox()];
-check('the text is beside the picture', right.x >= left.x + left.width, left, right);
-check('the button for a file has the font of the page', await page.evaluate(() => getComputedStyle(document.querySelector('#file'), '::file-selector-button').fontFamily === getComputedStyle(document.body).fontFamily));
-check('no error in the console', said.length === 0, said);
+check('the text of the ball is beside its picture', right.x >= left.x + left.width, left, right);
+check('the button that selects a file has the font of the page', await page.evaluate(() => getComputedStyle(document.querySelector('#file'), '::file-selector-button').fontFamily === getComputedStyle(document.body).fontFamily));
+check('the console reports no error', said.length === 0, said);
 await page.close();
 ({page} = await open('index.html', {...DESK, reducedMotion: 'reduce'}, hold));
 check('a reader who prefers reduced motion gets a still picture', await page.evaluate(() => window.passes()) === '21_a_landscape.webp');

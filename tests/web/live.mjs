@@ -1,12 +1,13 @@
-// live.mjs - the live chapter in a page of the site, which chapter.mjs tests in a separate page: what the page loads,
-// a command beside the text, what axe-core finds, a phone, the check of an exercise, and the line of every button.
+// live.mjs - tests the live chapter in a page of the site, whereas chapter.mjs tests it in a separate page: what the
+// page loads, commands beside the text, accessibility, a phone, a change that takes too long to compile, and the
+// command line of every button.
 import fs from 'node:fs';
 import {blankPage, check, finish, frames, launch, openPage, PATIENCE, serve, SITE, threads, whole} from './browser.mjs';
 
 const AXE = fs.readFileSync('build/node/node_modules/axe-core/axe.min.js', 'utf8');
 const server = await serve(SITE), browser = await launch();
 
-// A chapter's page; asked collects what it loads.
+// Open a chapter's page. asked collects the addresses that the page requests.
 async function chapter(stem, context = {}) {
     const opened = await blankPage(browser, {context: {viewport: {width: 1280, height: 900}, ...context}});
     const asked = opened.asked = [];
@@ -15,14 +16,15 @@ async function chapter(stem, context = {}) {
     await whole(opened.page);
     return opened;
 }
-// The state of the program that runs in the page, once `right` holds for it.
+// The state of the program in the page, or null. until returns the state once `right` is true of it, or when time runs
+// out.
 const stateOf = (page) => page.evaluate(() => [...document.querySelectorAll('live-chapter')].map((one) => one.program).find(Boolean)?.state() ?? null);
 async function until(page, right) {
     for (let begun = Date.now(); ;) {
         const now = await stateOf(page);
         if (now?.runs && right(now)) return now;
         if (Date.now() - begun > PATIENCE) {
-            console.log(`# gave up waiting for: ${right}`); // the check of the caller decides whether that matters
+            console.log(`# gave up waiting for: ${right}`); // the caller's check decides whether that matters
             return now;
         }
         await frames(page, 2);
@@ -37,23 +39,23 @@ const findings = async (page) => {
 // ---- The click ----
 
 let {page, said, asked} = await chapter('03_shadows');
-check('before the click there is the poster, and nothing of the program is loaded', await page.locator('live-chapter img').first().isVisible() && !asked.some((url) => /harness|course|stage|editor/.test(url)), asked);
+check('before the click, the poster is visible, and nothing of the program is loaded', await page.locator('live-chapter img').first().isVisible() && !asked.some((url) => /harness|course|stage|editor/.test(url)), asked);
 const wait = await page.evaluate(() => new Promise((done) => {
     const begun = performance.now();
     document.querySelector('live-chapter .live-start').click();
     const turn = () => document.querySelector('live-chapter')?.program?.state().rate > 0 ? done(performance.now() - begun) : requestAnimationFrame(turn);
     turn();
 }));
-console.log(`# from the click to the first picture of 03_shadows: ${wait.toFixed(0)} ms, of which 500 are allowed on two free processors; ${fs.readFileSync('/proc/loadavg', 'utf8').split(' ')[0]} programs want them`);
+console.log(`# from the click to the first picture of 03_shadows: ${wait.toFixed(0)} ms (at most 500 on two free processors); load average ${fs.readFileSync('/proc/loadavg', 'utf8').split(' ')[0]}`);
 let now = await until(page, (s) => s.runs);
 check('the click runs the chapter', now.runs && now.view === 'picture', now.error);
-check('and loads nothing from elsewhere, and no editor', asked.every((url) => url.startsWith(server.at) || /^(data|blob):/.test(url)) && !asked.some((url) => /editor/.test(url)), asked.filter((url) => !url.startsWith(server.at)));
+check('the click loads nothing from other sites, and no editor', asked.every((url) => url.startsWith(server.at) || /^(data|blob):/.test(url)) && !asked.some((url) => /editor/.test(url)), asked.filter((url) => !url.startsWith(server.at)));
 const bar = page.getByRole('toolbar', {name: 'The program'});
 await bar.getByRole('button', {name: 'steps', exact: true}).click();
 await until(page, (s) => s.view === 'steps');
 const pressed = page.locator('.live-views [aria-pressed=true]');
 await pressed.hover();
-check('the button of a view is legible under the pointer', await pressed.evaluate((one) => getComputedStyle(one).color !== getComputedStyle(one).backgroundColor));
+check('the button of a view is legible while the pointer is over it', await pressed.evaluate((one) => getComputedStyle(one).color !== getComputedStyle(one).backgroundColor));
 const begun = (await stateOf(page)).camera;
 const differs = (s) => s.camera.some((x, i) => Math.abs(x - begun[i]) > 1e-3);
 await page.locator('canvas.live-canvas').focus();
@@ -61,7 +63,7 @@ await page.keyboard.down('d');
 now = await until(page, differs);
 await page.keyboard.up('d');
 await bar.getByRole('button', {name: 'Reset camera'}).click();
-check('the moved camera is reset', differs(now) && !differs(await until(page, (s) => !differs(s))), begun, now.camera);
+check('Reset camera resets a moved camera', differs(now) && !differs(await until(page, (s) => !differs(s))), begun, now.camera);
 
 // ---- A command beside the text ----
 
@@ -70,14 +72,14 @@ const line = await command.getAttribute('data-line');
 await command.scrollIntoViewIfNeeded();
 await command.click();
 await page.waitForFunction(() => document.querySelector('.live-beside:not(.live-waits) canvas, .live-beside .live-result'));
-check(`a command runs below itself: ${line}`, await page.evaluate(() => {
+check(`the program or output of a command appears below the command: ${line}`, await page.evaluate(() => {
     const made = document.querySelector('.live-beside');
     return made.previousElementSibling?.querySelector('button.run') !== null && document.querySelectorAll('canvas.live-canvas').length <= 1;
 }));
-check('no error in the console', said.length === 0, said);
+check('the console reports no error', said.length === 0, said);
 await page.close();
 
-// ---- What axe-core finds ----
+// ---- Accessibility ----
 
 ({page, said} = await chapter('03_shadows'));
 await page.locator('live-chapter .live-start').first().click();
@@ -85,49 +87,50 @@ await until(page, (s) => s.rate > 0);
 for (const scheme of ['light', 'dark']) {
     await page.emulateMedia({colorScheme: scheme});
     const found = await findings(page);
-    check(`axe-core finds nothing in a page whose program runs, ${scheme}`, found.length === 0, found);
+    check(`axe-core finds no violations in a page whose program runs, ${scheme}`, found.length === 0, found);
 }
-check('no error in the console', said.length === 0, said);
+check('the console reports no error', said.length === 0, said);
 await page.close();
 
-// ---- A telephone ----
+// ---- A phone ----
 
 ({page, said} = await chapter('02_lighting', {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2}));
 await page.locator('live-chapter .live-start').first().tap();
 now = await until(page, (s) => s.rate > 0);
-check('on a telephone a tap runs the chapter', now?.runs);
+check('on a phone, a tap runs the chapter', now?.runs);
 const across = () => page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-check('nothing to scroll sideways', await across() <= 0, await across());
+check('on a phone, the page does not scroll sideways', await across() <= 0, await across());
 await page.getByRole('toolbar', {name: 'The program'}).getByRole('button', {name: 'Edit'}).tap();
 await page.locator('.cm-content').waitFor();
-check('nor with the editor', await across() <= 0, await across());
-check('nor in the editor, whose long lines wrap', await page.locator('.cm-scroller').evaluate((one) => one.scrollWidth <= one.clientWidth));
-await page.addStyleTag({content: 'html { overflow-anchor: none; }'}); // not every browser keeps the text in its place by itself
+check('on a phone with the editor open, the page does not scroll sideways', await across() <= 0, await across());
+check('the long lines of the editor wrap, so it does not scroll sideways', await page.locator('.cm-scroller').evaluate((one) => one.scrollWidth <= one.clientWidth));
+await page.addStyleTag({content: 'html { overflow-anchor: none; }'}); // imitate a browser without scroll anchoring
 const above = async () => (await page.locator('.live-editor').boundingBox()).y, stands = await above();
 await page.keyboard.type('// mine\n');
 await page.locator('.live-changes').waitFor();
-check('the typed text stays in its place when the note on the reader\'s changes appears', Math.abs(await above() - stands) <= 1, stands, await above());
+check('the editor keeps its position when the note on the reader\'s changes appears', Math.abs(await above() - stands) <= 1, stands, await above());
 await page.getByRole('button', {name: 'Undo all'}).tap();
 await page.locator('.live-changes').waitFor({state: 'hidden'});
 await page.locator('form.check > button').first().tap();
 await page.locator('.live-open').tap();
 await page.locator('.live-beside .cm-content').waitFor();
-check('the editor of an exercise has the width of the page', (await page.locator('.live-beside .live-editor').boundingBox()).width > 340, await page.locator('.live-beside .live-editor').boundingBox());
+check('the editor of an exercise fills the width of a phone', (await page.locator('.live-beside .live-editor').boundingBox()).width > 340, await page.locator('.live-beside .live-editor').boundingBox());
 await page.locator('.live-beside .cm-content').focus();
 await page.keyboard.press('Control+End');
 await page.keyboard.type('wrong');
 await page.waitForSelector('.live-error:not([hidden])');
-check('the last typed text is above the error', await page.waitForFunction(() => {
+check('the caret stays visible above the error', await page.waitForFunction(() => {
     const [caret, error] = ['.live-beside .cm-cursor-primary', '.live-error'].map((one) => document.querySelector(one).getBoundingClientRect());
     return caret.top > 0 && caret.bottom <= error.top + 1;
 }, null, {timeout: PATIENCE}).then(() => true, () => false));
-check('no error in the console', said.length === 0, said);
+check('the console reports no error', said.length === 0, said);
 await page.close();
 
-// ---- One command after the other ----
+// ---- One command after another ----
 
 ({page, said} = await chapter('00_first_scene', {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true}));
-// Tap the last button of a command at a given height on the screen. Returns how far it has moved once its program runs.
+// Scroll the last button of a command to a given height on the screen, and tap it. Returns how far the button has moved
+// once its program runs.
 async function tap(line, down = 200) {
     const button = page.locator(`button.run[data-line="${line}"]`).last(), handle = await button.elementHandle();
     await button.evaluate((one, down) => window.scrollTo(0, one.getBoundingClientRect().top + window.scrollY - down), down);
@@ -138,35 +141,35 @@ async function tap(line, down = 200) {
     return (await button.boundingBox()).y - before;
 }
 await tap('--shader chapters/first_steps/1_screen.frag');
-check('a text with a main of its own has no views, no pad and no ray', now.views.length === 1 && await page.locator('.live-views, .live-pad, .live-ray').evaluateAll((all) => all.length === 3 && all.every((one) => one.hidden)), now.views);
+check('a shader with its own main function has no views, no pad and no ray', now.views.length === 1 && await page.locator('.live-views, .live-pad, .live-ray').evaluateAll((all) => all.length === 3 && all.every((one) => one.hidden)), now.views);
 await tap('--time 1 --shader chapters/experiments/00_factor.frag --compare --set factor=1.5');
 const factors = () => now.parameters.filter(({name}) => name.startsWith('factor')).map(({name, value}) => `${name} ${value[0]}`).join();
-check('in a comparison, each picture has its own values', factors() === 'factor (left) 1,factor (right) 1.5', factors());
+check('in a comparison, each picture has its own parameter values', factors() === 'factor (left) 1,factor (right) 1.5', factors());
 await page.locator('details.live-values').evaluate((one) => { one.open = true; });
 await page.getByRole('spinbutton', {name: 'factor (right), as a number'}).fill('2');
 await page.keyboard.press('Enter');
 now = await until(page, (s) => s.parameters.some(({name, value}) => name === 'factor (right)' && value[0] === 2));
-check('which are set separately', factors() === 'factor (left) 1,factor (right) 2', factors());
+check('in a comparison, setting a value of one picture does not change the other', factors() === 'factor (left) 1,factor (right) 2', factors());
 await tap('--time 1');
-check('a picture that a command writes is paused', now.paused && now.time === 1, now.paused, now.time);
-const gone = await tap('--time 1 --samples 3', 600); // the program above it is visible
+check('a command with --time 1 starts its program paused at that time', now.paused && now.time === 1, now.paused, now.time);
+const gone = await tap('--time 1 --samples 3', 600); // the program above the button is visible
 check('a tapped command keeps its position on the screen when the program above it is removed', Math.abs(gone) < 2, gone);
 const both = page.locator('button.run[data-other]').first();
 await both.tap();
 const compared = page.locator('.live-result .live-two canvas');
 await compared.nth(2).waitFor();
-check('two pictures that a page draws are compared there', /^[\d.]+ % of the pixels differ by more than 2 of 255/.test(await page.locator('.live-result', {has: page.locator('.live-two')}).innerText()) && await across() <= 0, await across());
+check('two pictures that a command draws are compared in the page', /^[\d.]+ % of the pixels differ by more than 2 of 255/.test(await page.locator('.live-result', {has: page.locator('.live-two')}).innerText()) && await across() <= 0, await across());
 await page.evaluate(() => document.querySelector('canvas.live-canvas').scrollIntoView({block: 'start'}));
 await page.getByRole('searchbox').fill('penumbra');
 await page.locator('.results a').first().waitFor();
-check('search results are in front of a picture that runs', await page.locator('.results a').evaluateAll((all) => all.slice(0, 4).every((one) => {
+check('search results are in front of a running program', await page.locator('.results a').evaluateAll((all) => all.slice(0, 4).every((one) => {
     const {left, top, width, height} = one.getBoundingClientRect();
     return document.elementFromPoint(left + width / 2, top + height / 2)?.closest('.results');
 })));
-check('no error in the console', said.length === 0, said);
+check('the console reports no error', said.length === 0, said);
 await page.close();
 
-// ---- A change that does not end ----
+// ---- A change that takes too long to compile ----
 
 ({page, said} = await blankPage(browser, {context: {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true}, before: threads}));
 await page.goto(`${server.at}/03_shadows.html`);
@@ -181,16 +184,16 @@ await page.keyboard.type('// ');
 await page.waitForSelector('.live-waits');
 const undo = page.locator('.live-notice').getByRole('button', {name: 'Undo all'});
 await undo.waitFor();
-check('a change that takes long to compile can be undone, over the picture', /Does your change contain an endless loop/.test(await page.locator('.live-notice').textContent()) && await undo.evaluate((one) => { const {top, bottom} = one.getBoundingClientRect(); return top >= 0 && bottom <= innerHeight; }));
+check('while a change takes too long to compile, a button over the picture undoes it', /Does your change contain an endless loop/.test(await page.locator('.live-notice').textContent()) && await undo.evaluate((one) => { const {top, bottom} = one.getBoundingClientRect(); return top >= 0 && bottom <= innerHeight; }));
 await undo.tap();
 await page.waitForFunction(() => document.querySelector('.live-notice').hidden);
 await page.evaluate(() => { window.compiled = true; });
 await page.waitForFunction(() => !document.querySelector('.live-waits'));
-check('then the picture is the chapter\'s', await page.locator('.live-changes').isHidden() && (await stateOf(page)).error === '');
-check('no error in the console', said.length === 0, said);
+check('after Undo all, the picture is the chapter\'s again', await page.locator('.live-changes').isHidden() && (await stateOf(page)).error === '');
+check('the console reports no error', said.length === 0, said);
 await page.close();
 
-// ---- The line of every button ----
+// ---- The command line of every button ----
 
 // With --list, the program reads each line, prints the shader's parameters and draws nothing.
 const plain = (html) => html.replaceAll('&quot;', '"').replaceAll('&#39;', '\'').replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&amp;', '&');
@@ -198,7 +201,7 @@ const lines = new Map();
 for (const name of fs.readdirSync(SITE).filter((name) => name.endsWith('.html'))) {
     const html = fs.readFileSync(`${SITE}/${name}`, 'utf8');
     for (const [, stem, line, label] of html.matchAll(/<button[^>]*class="run" data-stem="([^"]*)" data-line="([^"]*)"[^>]* aria-label="([^"]*)"/g))
-        lines.set(`${stem} ${plain(line)}`, /# refused/.test(label) ? 2 : 0); // commands that the page shows as refused are refused
+        lines.set(`${stem} ${plain(line)}`, /# refused/.test(label) ? 2 : 0); // status 2 for a command that the page shows as refused
     for (const [, stem, line] of html.matchAll(/data-stem="([^"]*)"[^>]* data-other="([^"]*)"/g)) lines.set(`${stem} ${plain(line)}`, 0);
 }
 ({page, said} = await openPage(browser, server.at));
@@ -212,7 +215,7 @@ const refused = await page.evaluate(async (lines) => {
     }
     return wrong;
 }, [...lines]);
-check(`the program accepts the line of every button, ${lines.size} of them`, lines.size > 300 && refused.length === 0, refused.length, refused.slice(0, 5));
+check(`the program accepts the command lines of all ${lines.size} buttons, except those shown as refused`, lines.size > 300 && refused.length === 0, refused.length, refused.slice(0, 5));
 
 finish();
 await browser.close();

@@ -1,5 +1,6 @@
-// pages.mjs - the site's files, without a browser: every page exists, no link is dead, no formula failed, nothing comes
-// from elsewhere or is unused, every command has its button or its reason, no page is too large.
+// pages.mjs - tests the site's files without a browser: every page exists, no link is dead, every formula is converted,
+// no file comes from another site or is unused, every command has a button or a reason why not, and no page is too
+// large.
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -13,11 +14,11 @@ const pages = [...files].filter((name) => name.endsWith('.html')).sort();
 const plain = (html) => html.replace(/<[^>]*>/g, '').replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&quot;', '"').replaceAll('&#39;', '\'').replaceAll('&amp;', '&');
 const text = new Map(pages.map((name) => [name, fs.readFileSync(`${SITE}/${name}`, 'utf8')]));
 const top = pages.filter((name) => !name.includes('/'));
-check('there are pages', top.length >= 30, top.length);
+check('the site has at least 30 pages', top.length >= 30, top.length);
 const lacking = fs.readdirSync('docs').filter((name) => name.endsWith('.md') && name !== 'README.md' && !text.has(name.replace(/md$/, 'html')));
-check('every page of docs/ is one of the site', lacking.length === 0, lacking);
+check('every page of docs/ is in the site', lacking.length === 0, lacking);
 
-// ---- Links, and what a page loads ----
+// ---- Links and loaded files ----
 
 const ids = new Map([...text].map(([name, html]) => [name, new Set([...html.matchAll(/\sid="([^"]*)"/g)].map((match) => plain(match[1])))]));
 const dead = [], foreign = [], doubled = [];
@@ -42,7 +43,7 @@ for (const name of [...files].filter((name) => name.endsWith('.css')))
     for (const [, address] of fs.readFileSync(`${SITE}/${name}`, 'utf8').matchAll(/url\(["']?([^"')]+)/g))
         if (!address.startsWith('data:') && !files.has(path.join(path.dirname(name), address.split(/[?#]/)[0]))) dead.push(`${name}: ${address}`);
 check('no link is dead', dead.length === 0, dead.length, dead.slice(0, 8));
-check('no page loads anything from elsewhere', foreign.length === 0, foreign.slice(0, 8));
+check('no page loads a file from another site', foreign.length === 0, foreign.slice(0, 8));
 check('no page has two elements with the same id', doubled.length === 0, doubled.slice(0, 8));
 
 const said = [...files].filter((name) => /\.(html|js|css|json|txt|frag|glsl)$/.test(name)).map((name) => fs.readFileSync(`${SITE}/${name}`, 'utf8')).join('');
@@ -52,13 +53,14 @@ check('the site contains no unused files', idle.length === 0, idle.length, idle.
 // ---- Formulas ----
 
 const failed = [...text].filter(([, html]) => /<merror|temml-error|katex-error|class="math (inline|display)"/.test(html)).map(([name]) => name);
-check('no formula failed', failed.length === 0, failed);
+check('every formula is converted', failed.length === 0, failed);
 const formulas = [...text.values()].reduce((sum, html) => sum + html.split('<math').length - 1, 0);
-check('and there are formulas', formulas > 3000, formulas);
+check('the site has more than 3000 formulas', formulas > 3000, formulas);
 
 // ---- Figures ----
 
-// A picture may load nothing: each letter of a figure is in a font inside it, upright, italic or bold as it is drawn.
+// A figure cannot load other files, so each of its letters must be in a font that the figure contains, in the same
+// style: upright, italic or bold.
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'web_pages-')), charsets = new Map();
 function charsetOf(data) {
     if (!charsets.has(data)) {
@@ -89,12 +91,12 @@ fs.rmSync(folder, {recursive: true});
 check('every figure contains its fonts, and has a dark theme', svgs.length > 15 && homeless.length === 0, svgs.length, homeless.slice(0, 8));
 
 const uneven = [...text].filter(([, html]) => /<div class="table"><table>(?:(?!<\/table>).)*<td[^>]*>\s*<(?:img|live-chapter)/s.test(html)).map(([name]) => name);
-check('pictures in one row of a table share its width', uneven.length === 0, uneven);
+check('pictures in one row of a table share the width of the row', uneven.length === 0, uneven);
 
 // ---- Commands ----
 
-// Read from the sources, not from the output of the builder: each command of a shell block is in the page, in a block
-// with a button, a form or a reason.
+// The commands are read from the sources, not from the builder's output. Each command of a shell block must be in the
+// page, in a block with a button, a form or a reason why it has neither.
 const squeezed = (words) => words.replace(/\s+/g, ' ').trim();
 const mute = [];
 let commands = 0;
@@ -111,21 +113,21 @@ for (const name of top.filter((name) => fs.existsSync(`docs/${name.replace(/html
         }
     }
 }
-check('every command has a button or a reason', commands > 400 && mute.length === 0, commands, mute.slice(0, 8));
+check('every command has a button or a reason for having none', commands > 400 && mute.length === 0, commands, mute.slice(0, 8));
 
-// If a question is reworded, its line in guesses.txt no longer applies, and its form accepts any words.
+// If a question is reworded, its line in guesses.txt no longer matches it, and its form accepts any text.
 const right = fs.readFileSync('docs/web/guesses.txt', 'utf8').split('\n').filter((line) => line && !line.startsWith('#')).map((line) => line.split('|')[0].trim());
 const asked = [...new Set(right)].filter((stem) => ((text.get(`${stem}.html`) ?? '').match(/<form class="guess" data-kind/g) ?? []).length !== right.filter((one) => one === stem).length);
-check('every line of guesses.txt has its question', right.length > 10 && asked.length === 0, asked);
+check('every line of guesses.txt matches a question', right.length > 10 && asked.length === 0, asked);
 
-// The exit questions are at the end of each chapter.
+// Each chapter ends with exit questions.
 const asking = [...text].filter(([, html]) => (html.match(/<form class="question"/g) ?? []).length === 5).map(([name]) => name);
-check('every chapter asks its five questions', asking.length === fs.readdirSync('docs').filter((name) => /^\d\d_.*md$/.test(name)).length, asking);
+check('every chapter asks five exit questions', asking.length === fs.readdirSync('docs').filter((name) => /^\d\d_.*md$/.test(name)).length, asking);
 
 // ---- The server ----
 
 const server = await serve(SITE), sent = await fetch(`${server.at}/index.html`), still = await fetch(`${server.at}/day.webp`);
-check('make serve compresses a page, and no picture', sent.headers.get('content-encoding') === 'gzip' && await sent.text() === text.get('index.html') && still.headers.get('content-encoding') === null, [...sent.headers]);
+check('make serve compresses a page but not a picture', sent.headers.get('content-encoding') === 'gzip' && await sent.text() === text.get('index.html') && still.headers.get('content-encoding') === null, [...sent.headers]);
 await still.arrayBuffer();
 server.close();
 
@@ -139,13 +141,13 @@ const weights = top.map((name) => {
 }).sort((a, b) => b.sent - a.sent);
 const fonts = [...files].filter((name) => name.endsWith('.woff2')).reduce((sum, name) => sum + fs.statSync(`${SITE}/${name}`).size, 0);
 const kilo = (bytes) => (bytes / 1000).toFixed(0);
-console.log(`# the heaviest pages, with script and style, compressed: ${weights.slice(0, 3).map((one) => `${one.name} ${kilo(one.sent)} KB`).join(', ')}; all fonts ${kilo(fonts)} KB more, once`);
+console.log(`# the heaviest pages, with script and style, compressed: ${weights.slice(0, 3).map((one) => `${one.name} ${kilo(one.sent)} KB`).join(', ')}; the fonts add ${kilo(fonts)} KB, once`);
 const texts = [...weights].sort((a, b) => b.raw - a.raw);
-console.log(`# not compressed, the text alone: ${texts.slice(0, 3).map((one) => `${one.name} ${kilo(one.raw)} KB`).join(', ')}`);
-check('no page has more than 150 KB of text, not compressed', texts[0].raw <= 150e3, texts[0]);
-check('nor more than that with scripts and styles, compressed', weights[0].sent <= 150e3, weights[0]);
+console.log(`# the largest pages without scripts and styles, uncompressed: ${texts.slice(0, 3).map((one) => `${one.name} ${kilo(one.raw)} KB`).join(', ')}`);
+check('no page has more than 150 KB of text, uncompressed', texts[0].raw <= 150e3, texts[0]);
+check('no page has more than 150 KB with its scripts and styles, compressed', weights[0].sent <= 150e3, weights[0]);
 const module = ['harness.wasm', 'harness.js', 'program.js', 'stage.js', 'live.js', 'values.js', 'ray.js', 'course.json'].filter((name) => files.has(name));
 const sum = module.reduce((total, name) => total + weight(name), 0);
-console.log(`# what a click on Run loads: ${kilo(sum)} KB compressed`);
-check('what a click on Run loads is at most 290 KB, compressed', sum <= 290e3, sum);
+console.log(`# size of the files that a click on Run loads: ${kilo(sum)} KB compressed`);
+check('a click on Run loads at most 290 KB, compressed', sum <= 290e3, sum);
 finish();

@@ -1,6 +1,6 @@
-// pictures.mjs [PATTERN] - pictures of tests/pictures/images.txt, drawn in the browser, compared with their references:
-// each chapter's own and every fifth of the others; with ALL=1 all of them; with PATTERN those that match. Two browsers
-// draw, each with its own driver: while one compiles, the other draws.
+// pictures.mjs [PATTERN] - compares pictures of tests/pictures/images.txt, drawn in the browser, with their references:
+// each chapter's own picture and every fifth of the others; with ALL=1, all of them; with PATTERN, those that match.
+// Two browsers draw, each with a separate driver, so that one can draw while the other compiles.
 import fs from 'node:fs';
 import {check, compare, draw, finish, keep, launch, openPage, pictures, serve, WEB} from './browser.mjs';
 
@@ -10,9 +10,9 @@ const rows = pictures().filter((row, index) => pattern.test(row.name) &&
     (process.argv[2] || process.env.ALL || row.name === row.stem || index % 5 === 0));
 fs.mkdirSync(OUT, {recursive: true});
 const server = await serve(WEB);
-check('the list names pictures', rows.length > (process.argv[2] ? 0 : 100), rows.length);
+check('enough pictures are selected', rows.length > (process.argv[2] ? 0 : 100), rows.length);
 
-// The pictures of a chapter are drawn one after the other in one browser, which keeps the programs that they share.
+// The pictures of a chapter are drawn one after another in the same browser, which caches the programs that they share.
 const chapters = Object.values(rows.reduce((all, row) => {
     (all[row.stem] ??= []).push(row);
     return all;

@@ -1,4 +1,5 @@
-// program.mjs - the program in a page: keys, mouse and fingers, a hidden page, a lost context, and WebGL's peculiarities.
+// program.mjs - tests the program in a page: the command line, keys, mouse and fingers, a hidden page, a lost context,
+// and the peculiarities of WebGL.
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
 import {check, finish, frames, launch, openPage, rest, serve, start, state, threads, until, WEB} from './browser.mjs';
@@ -8,7 +9,7 @@ const {page, said} = await openPage(browser, server.at);
 const canvas = page.locator('#canvas');
 const parameter = (now, name) => now.parameters.find((p) => p.name === name).value;
 
-// What the canvas shows, from the browser's own screenshot: the mean of its colour bytes, and its size.
+// The mean of the canvas's colour bytes, and its size, from the browser's screenshot.
 async function shown(of = page) {
     const png = await of.locator('#canvas').screenshot();
     return of.evaluate(async (data) => {
@@ -27,16 +28,16 @@ const calls = () => page.evaluate(() => ({...window.calls}));
 // ---- Command lines ----
 
 check('a wrong option is refused with status 2', await start(page, '03_shadows', '--nonsense') === 2);
-check('with one line from the program', (await page.evaluate(() => window.lines.filter((line) => line.startsWith('! ')))).length === 1);
+check('the program reports a wrong option in one line', (await page.evaluate(() => window.lines.filter((line) => line.startsWith('! ')))).length === 1);
 check('an unknown chapter is refused', await start(page, '77_nothing') === 2);
 await page.evaluate(() => { window.lines.length = 0; });
 check('--help ends with status 0', await start(page, '03_shadows', '--help') === 0);
-check('and prints what the native program prints', (await page.evaluate(() => window.lines.join('\n'))).trim() ===
+check('--help prints the same text as the native program', (await page.evaluate(() => window.lines.join('\n'))).trim() ===
     execFileSync('build/03_shadows', ['--help'], {encoding: 'utf8'}).replaceAll('build/03_shadows', '03_shadows').trim());
-check('a word may be in quotes', await start(page, '03_shadows', `--set "lampHeight=2.5" --size '320x180'`) === 0);
-check('a value in the command line sets the parameter', parameter(await state(page), 'lampHeight')[0] === 2.5);
+check('a word of the command line may be in quotes', await start(page, '03_shadows', `--set "lampHeight=2.5" --size '320x180'`) === 0);
+check('a value in the command line sets its parameter', parameter(await state(page), 'lampHeight')[0] === 2.5);
 
-// The table of a probe, number by number.
+// Compare the output of --probe with that of the native program, number by number.
 const probe = (text) => text.trim().split('\n').map((line) => line.split(/[ ,;:]+/));
 let worst = 0, compared = 0;
 for (const [stem, place] of [['01_normal_colouring', '340,140'], ['03_shadows', '320,180'], ['12_textures', '300,120'], ['16_fewer_steps', '200,150']]) {
@@ -44,7 +45,7 @@ for (const [stem, place] of [['01_normal_colouring', '340,140'], ['03_shadows', 
     await start(page, stem, `--probe ${place}`);
     const here = probe((await page.evaluate(() => window.lines)).join('\n'));
     const there = probe(execFileSync(`build/${stem}`, ['--probe', place], {encoding: 'utf8', env: {...process.env, LIBGL_ALWAYS_SOFTWARE: '1'}}));
-    check(`${stem}: the table of a ray has the same shape`, here.length === there.length && here.every((line, i) => line.length === there[i].length), here.at(-1), there.at(-1));
+    check(`${stem}: the table of a ray has the same lines and columns as in the native program`, here.length === there.length && here.every((line, i) => line.length === there[i].length), here.at(-1), there.at(-1));
     there.forEach((line, i) => line.forEach((word, k) => {
         const [a, b] = [Number(here[i]?.[k]), Number(word)];
         if (Number.isNaN(b)) return;
@@ -52,25 +53,25 @@ for (const [stem, place] of [['01_normal_colouring', '340,140'], ['03_shadows', 
         worst = Math.max(worst, Math.abs(a - b) / Math.max(1, Math.abs(b)));
     }));
 }
-console.log(`# ${compared} numbers of probes, the worst differs by ${worst.toExponential(1)} relative to itself or to 1`);
-check('the probe\'s numbers are those of the program', compared > 200 && worst < 5e-6, worst);
+console.log(`# ${compared} numbers of --probe: the largest difference, relative to the number or to 1, is ${worst.toExponential(1)}`);
+check('the numbers of --probe are those of the native program', compared > 200 && worst < 5e-6, worst);
 
 // ---- The window ----
 
 check('a chapter starts', await start(page, '03_shadows') === 0);
 let now = await state(page);
-check('it takes the canvas\'s size', now.size[0] === 320 && now.size[1] === 180, now.size);
-check('the picture is there', (await shown()).mean > 20, await shown());
+check('the program takes the size of the canvas', now.size[0] === 320 && now.size[1] === 180, now.size);
+check('the picture is not black', (await shown()).mean > 20, await shown());
 const attributes = await page.evaluate(() => document.getElementById('canvas').getContext('webgl2').getContextAttributes());
-check('the canvas has neither antialiasing nor alpha nor depth', !attributes.antialias && !attributes.alpha && !attributes.depth, attributes);
+check('the canvas has no antialiasing, no alpha channel and no depth buffer', !attributes.antialias && !attributes.alpha && !attributes.depth, attributes);
 
 await canvas.focus();
 await page.keyboard.press('Escape');
-check('Escape pauses', (await until(page, (s) => s.paused)).paused);
+check('Escape pauses the program', (await until(page, (s) => s.paused)).paused);
 await page.keyboard.press('Digit4');
-check('4 shows the steps', (await until(page, (s) => s.view === 'steps')).view === 'steps');
+check('key 4 shows the view of the steps', (await until(page, (s) => s.view === 'steps')).view === 'steps');
 await page.keyboard.press('Digit1');
-check('1 shows the picture', (await until(page, (s) => s.view === 'picture')).view === 'picture');
+check('key 1 shows the view of the picture', (await until(page, (s) => s.view === 'picture')).view === 'picture');
 
 const eye = (await state(page)).camera;
 await page.keyboard.down('KeyW');
@@ -78,16 +79,16 @@ await until(page, (s) => Math.abs(s.camera[2] - eye[2]) > 0.05);
 await page.keyboard.up('KeyW');
 await rest(page);
 now = await state(page);
-check('W moves the eye', Math.hypot(...now.camera.slice(0, 3).map((x, i) => x - eye[i])) > 0.05, eye, now.camera);
+check('key W moves the camera', Math.hypot(...now.camera.slice(0, 3).map((x, i) => x - eye[i])) > 0.05, eye, now.camera);
 const moved = now.camera;
 await page.evaluate(() => document.activeElement.blur());
 await page.keyboard.press('KeyW');
 await page.keyboard.press('Digit4');
 await frames(page, 20);
 now = await state(page);
-check('without the focus, keys belong to the page', now.view === 'picture' && now.camera.every((x, i) => x === moved[i]), now.view, now.camera);
+check('without the focus, the program ignores the keys', now.view === 'picture' && now.camera.every((x, i) => x === moved[i]), now.view, now.camera);
 
-// Keys that belong to the browser are not taken from it.
+// The program does not intercept the browser's keys.
 await canvas.focus();
 const taken = await page.evaluate(() => ['KeyW,ctrl', 'KeyR,ctrl', 'Tab', 'F5', 'F11', 'KeyW'].map((word) => {
     const [code, ctrl] = word.split(',');
@@ -98,7 +99,7 @@ const taken = await page.evaluate(() => ['KeyW,ctrl', 'KeyR,ctrl', 'Tab', 'F5', 
 }));
 check('Ctrl+W, Ctrl+R, Tab and the function keys are left to the browser', taken.join() === 'false,false,false,false,false,true', taken);
 await page.keyboard.press('Tab');
-check('Tab leaves the canvas', await page.evaluate(() => document.activeElement.id !== 'canvas'));
+check('Tab moves the focus away from the canvas', await page.evaluate(() => document.activeElement.id !== 'canvas'));
 
 await canvas.focus();
 const before = (await state(page)).camera;
@@ -107,10 +108,10 @@ await page.mouse.down();
 await page.mouse.move(240, 100, {steps: 5});
 await page.mouse.up();
 now = await until(page, (s) => s.camera[3] !== before[3]);
-check('a drag turns the eye', now.camera[3] !== before[3] && now.camera[4] !== before[4], before, now.camera);
+check('a drag turns the camera', now.camera[3] !== before[3] && now.camera[4] !== before[4], before, now.camera);
 await page.mouse.click(160, 110);
 now = await until(page, (s) => s.probe !== undefined);
-check('a click marches the ray of its pixel', now.probe?.steps > 0 && now.pixel.join() === '160,69', now.pixel, now.probe?.steps);
+check('a click selects the ray of the clicked pixel', now.probe?.steps > 0 && now.pixel.join() === '160,69', now.pixel, now.probe?.steps);
 
 // ---- The wheel ----
 
@@ -118,13 +119,13 @@ await page.evaluate(() => document.activeElement.blur());
 await page.mouse.move(160, 90);
 await page.mouse.wheel(0, 120);
 await page.waitForFunction((before) => window.scrollY > 0 || window.program.state().parameters.find((p) => p.name === 'focalLength').value[0] !== before, parameter(await state(page), 'focalLength')[0]).catch(() => {});
-check('without the focus the wheel scrolls the page', await page.evaluate(() => window.scrollY) > 0);
+check('the wheel scrolls the page when the canvas does not have the focus', await page.evaluate(() => window.scrollY) > 0);
 await page.evaluate(() => window.scrollTo(0, 0));
 await canvas.focus();
 const length = parameter(await state(page), 'focalLength')[0];
 await page.mouse.wheel(0, -300);
 now = await until(page, (s) => parameter(s, 'focalLength')[0] > length);
-check('with the focus, the wheel belongs to the program', parameter(now, 'focalLength')[0] > length && await page.evaluate(() => window.scrollY) === 0, length);
+check('when the canvas has the focus, the wheel zooms the picture and does not scroll the page', parameter(now, 'focalLength')[0] > length && await page.evaluate(() => window.scrollY) === 0, length);
 
 // ---- Fingers ----
 
@@ -141,7 +142,7 @@ await touch('touchStart', [100, 90]);
 for (let x = 105; x <= 150; x += 5) await touch('touchMove', [x, 90]);
 await touch('touchEnd');
 now = await until(phone.page, (s) => s.camera[3] !== turned[3]);
-check('a finger that is dragged over the picture turns the eye', now.camera[3] !== turned[3] && now.pixel[0] < 0, turned, now.camera, now.pixel);
+check('a finger that is dragged over the picture turns the camera', now.camera[3] !== turned[3] && now.pixel[0] < 0, turned, now.camera, now.pixel);
 await rest(phone.page);
 const spread = await state(phone.page);
 await touch('touchStart', [150, 90], [170, 90]);
@@ -154,27 +155,28 @@ await rest(phone.page);
 const nearer = parameter(now, 'focalLength')[0];
 now = await state(phone.page);
 check('two fingers that move together zoom out', parameter(now, 'focalLength')[0] < nearer, nearer, parameter(now, 'focalLength'));
-check('and select no ray', now.pixel[0] < 0, now.pixel);
-check('and the eye does not turn', now.camera.every((x, i) => x === spread.camera[i]), spread.camera, now.camera);
+check('two fingers select no ray', now.pixel[0] < 0, now.pixel);
+check('two fingers do not move the camera', now.camera.every((x, i) => x === spread.camera[i]), spread.camera, now.camera);
 await touch('touchStart', [160, 110]);
 await touch('touchEnd');
 now = await until(phone.page, (s) => s.probe !== undefined);
-check('a tap marches the ray of its pixel', now.probe?.steps > 0 && Math.abs(now.pixel[0] - 320) <= 1 && Math.abs(now.pixel[1] - 139) <= 1, now.pixel);
-check('the page has not moved under the fingers', await phone.page.evaluate(() => window.scrollY === 0 && visualViewport.scale === 1));
-check('no error in the phone\'s console', phone.said.length === 0, phone.said);
+check('a tap selects the ray of the tapped pixel', now.probe?.steps > 0 && Math.abs(now.pixel[0] - 320) <= 1 && Math.abs(now.pixel[1] - 139) <= 1, now.pixel);
+check('the fingers have neither scrolled nor zoomed the page', await phone.page.evaluate(() => window.scrollY === 0 && visualViewport.scale === 1));
+check('the phone\'s console reports no error', phone.said.length === 0, phone.said);
 await phone.page.close();
 
 await page.evaluate(() => window.program.call('live_set', 'lampHeight', 0, 1e9));
 const lamp = (await state(page)).parameters.find((p) => p.name === 'lampHeight');
-check('a value that the page sets is kept within its range', lamp.value[0] === lamp.maximum, lamp.value);
+check('a value that the page sets is clamped to the range of its parameter', lamp.value[0] === lamp.maximum, lamp.value);
 
-// ---- WebGL's traps ----
+// ---- WebGL's pitfalls ----
 
-// Only the overlay is drawn again, over a copy of the stored picture: by then, a browser has cleared the canvas.
+// Only the overlay is drawn again, over a copy of the stored picture, because by then the browser has cleared the
+// canvas.
 await page.evaluate(() => window.program.call('live_pause', 1));
 await rest(page);
 const whole = (await shown()).mean;
-await page.evaluate(() => window.program.call('live_key', 72, 1, 0)); // H: the panel
+await page.evaluate(() => window.program.call('live_key', 72, 1, 0)); // the key H hides the overlay or shows it
 await rest(page);
 const listed = (await shown()).mean;
 await page.evaluate(() => window.program.call('live_key', 72, 1, 0));
@@ -182,8 +184,8 @@ await rest(page);
 const again = (await shown()).mean;
 check('an overlay that is drawn again leaves the picture unchanged', Math.abs(again - whole) < 1 && again > 20 && listed > 0.2 * whole, whole, listed, again);
 
-// The cost of a picture is known only after one of its pixels is read: WebGL's finish does not wait. A selected ray
-// reads other pixels, so it is deselected.
+// The cost of a picture is known only after one of its pixels has been read, because WebGL's finish does not wait. A
+// selected ray would read other pixels, so the test deselects it.
 await page.evaluate(() => window.program.call('live_pixel', -1, -1));
 await rest(page);
 const drawnAt = await calls();
@@ -193,7 +195,7 @@ const drawn = await calls();
 for (const name in drawn) drawn[name] -= drawnAt[name];
 check('the program waits for each picture by reading a pixel', drawn.readPixels >= 0.3 * drawn.drawArrays, drawn);
 
-// ---- An invisible page ----
+// ---- A hidden page ----
 
 const hide = (hidden) => page.evaluate((hidden) => {
     Object.defineProperty(document, 'hidden', {value: hidden, configurable: true});
@@ -203,17 +205,18 @@ const hide = (hidden) => page.evaluate((hidden) => {
 const [hiddenAt, hiddenTime] = await hide(true), drawnThen = await calls();
 await frames(page, 45);
 check('a hidden page draws nothing', (await calls()).drawArrays === drawnThen.drawArrays, drawnThen, await calls());
-check('and its time does not advance', (await state(page)).time === hiddenTime);
+check('the clock of a hidden page does not advance', (await state(page)).time === hiddenTime);
 const [shownAt] = await hide(false);
 now = await until(page, (s) => s.time > hiddenTime);
 const shownFor = (await page.evaluate(() => performance.now() / 1000)) - shownAt;
-// A turn may have been almost due when the page was hidden, so its time is allowed for.
-check('the time for which it was hidden is not made up', now.time - hiddenTime < shownFor + 0.5 * (shownAt - hiddenAt), hiddenTime, now.time, hiddenAt, shownAt, shownFor);
+// An iteration of the main loop may have been almost due when the page was hidden, so the test allows for half the time
+// during which the page was hidden.
+check('the clock does not make up for the time during which the page was hidden', now.time - hiddenTime < shownFor + 0.5 * (shownAt - hiddenAt), hiddenTime, now.time, hiddenAt, shownAt, shownFor);
 await page.evaluate(() => window.scrollTo(0, 2000));
 await page.waitForFunction(() => !window.program.visible).catch(() => {});
 const away = await calls();
 await frames(page, 25);
-check('a picture that is scrolled out of view draws nothing either', (await calls()).drawArrays === away.drawArrays);
+check('a picture that is scrolled out of view is not drawn', (await calls()).drawArrays === away.drawArrays);
 await page.evaluate(() => window.scrollTo(0, 0));
 await page.waitForFunction(() => window.program.visible);
 
@@ -242,10 +245,10 @@ const kept = await state(page), keptMean = (await shown()).mean;
 await take();
 check('a lost context is reported', await page.evaluate(() => window.program.lost));
 now = await giveBack();
-check('the picture is restored with its values, its eye and its time', now.runs && parameter(now, 'lampHeight')[0] === 2 && now.time === kept.time && now.camera.every((x, i) => x === kept.camera[i]), now.error);
-check('and looks the same', Math.abs((await shown()).mean - keptMean) < 1, keptMean, await shown());
+check('a restored picture has the same values, camera and time', now.runs && parameter(now, 'lampHeight')[0] === 2 && now.time === kept.time && now.camera.every((x, i) => x === kept.camera[i]), now.error);
+check('a restored picture looks the same', Math.abs((await shown()).mean - keptMean) < 1, keptMean, await shown());
 
-// Two pictures, the divider dragged to the left.
+// Compare two pictures, with the divider dragged to the left.
 await start(page, '00_first_scene', '--time 1 --shader chapters/experiments/00_factor.frag --compare --set factor=1.5');
 await page.evaluate(() => {
     window.program.call('live_pause', 1);
@@ -259,10 +262,10 @@ await rest(page);
 const both = await state(page), bothMean = (await shown()).mean;
 await take();
 now = await giveBack();
-check('both pictures of a comparison are restored', JSON.stringify(now.parameters) === JSON.stringify(both.parameters) && parameter(now, 'factor (right)')[0] === 0.3, now.parameters, now.error);
-check('with their divider', Math.abs((await shown()).mean - bothMean) < 0.1, bothMean, await shown());
+check('both pictures of a comparison are restored with their values', JSON.stringify(now.parameters) === JSON.stringify(both.parameters) && parameter(now, 'factor (right)')[0] === 0.3, now.parameters, now.error);
+check('the divider of a comparison is restored', Math.abs((await shown()).mean - bothMean) < 0.1, bothMean, await shown());
 
-// ---- Other people's files ----
+// ---- Files from other sources ----
 
 const drawText = (name, shader) => page.evaluate(async ([name, shader]) => {
     window.program.write(name, shader);
@@ -271,19 +274,19 @@ const drawText = (name, shader) => page.evaluate(async ([name, shader]) => {
     return {status, drawn: window.pictures.length, lines: window.lines};
 }, [name, shader]);
 for (const [name, shader] of Object.entries({
-    'a file with a low precision is drawn': '#version 300 es\nprecision mediump float;\nin vec2 FragCoord;\nin float Time;\nuniform float iTime;\nuniform vec3 iResolution;\nout vec4 colour;\nvoid main() { colour = vec4(FragCoord, Time + iTime + iResolution.x, 1.0); }\n',
+    'a file with medium precision is drawn': '#version 300 es\nprecision mediump float;\nin vec2 FragCoord;\nin float Time;\nuniform float iTime;\nuniform vec3 iResolution;\nout vec4 colour;\nvoid main() { colour = vec4(FragCoord, Time + iTime + iResolution.x, 1.0); }\n',
     'a file for desktop OpenGL is drawn': '#version 330 core\nin vec2 FragCoord;\nout vec4 colour;\nvoid main() { colour = vec4(FragCoord, 0.0, 1.0); }\n',
-    'a Shadertoy text is drawn': 'precision lowp float;\nvoid mainImage(out vec4 c, in vec2 p) { float t; c = vec4(p / iResolution.xy, t, 1.0); }\n',
-    'one that tests GL_ES is drawn': 'void mainImage(out vec4 c, in vec2 p) {\n#ifdef GL_ES\nc = vec4(0, 1, 0, 1);\n#else\nc = nothing;\n#endif\n}\n',
+    'a Shadertoy shader is drawn': 'precision lowp float;\nvoid mainImage(out vec4 c, in vec2 p) { float t; c = vec4(p / iResolution.xy, t, 1.0); }\n',
+    'a shader that tests GL_ES is drawn': 'void mainImage(out vec4 c, in vec2 p) {\n#ifdef GL_ES\nc = vec4(0, 1, 0, 1);\n#else\nc = nothing;\n#endif\n}\n',
 })) {
     const got = await drawText(`x ${name}.frag`, shader);
     check(name, got.status === 0 && got.drawn === 1, got.lines);
 }
 const implicit = await drawText('x_implicit.frag', 'void mainImage(out vec4 c, in vec2 p) {\n    int n = 1;\n    float x = n;\n    c = vec4(x);\n}\n');
-check('what ES refuses is reported with its line', implicit.status === 1 && /x_implicit\.frag:3/.test(implicit.lines.join('\n')), implicit.lines);
-check('no error in the console', said.length === 0, said);
+check('an error in GLSL ES is reported with its line number', implicit.status === 1 && /x_implicit\.frag:3/.test(implicit.lines.join('\n')), implicit.lines);
+check('the console reports no error', said.length === 0, said);
 
-// ---- A device whose float targets do not blend ----
+// ---- A device that cannot blend float targets ----
 
 const poor = await openPage(browser, server.at, {before: () => {
     const own = WebGL2RenderingContext.prototype.getExtension, all = WebGL2RenderingContext.prototype.getSupportedExtensions;
@@ -296,25 +299,25 @@ const poor = await openPage(browser, server.at, {before: () => {
 await start(poor.page, '03_shadows');
 now = await state(poor.page);
 const forms = await poor.page.evaluate(() => window.forms);
-check('without EXT_float_blend targets are made of half floats, and the state says so', now.halves && forms.includes(0x881A) && !forms.includes(0x8814), now.halves, forms);
-check('and the picture is there', (await shown(poor.page)).mean > 20);
-check('with EXT_float_blend they are floats', !kept.halves);
+check('without EXT_float_blend, targets have half floats, and the state says so', now.halves && forms.includes(0x881A) && !forms.includes(0x8814), now.halves, forms);
+check('without EXT_float_blend, the picture is not black', (await shown(poor.page)).mean > 20);
+check('with EXT_float_blend, targets have floats', !kept.halves);
 
 const none = await openPage(browser, server.at, {before: () => {
     const own = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function (kind, ...values) { return kind === 'webgl2' ? null : own.call(this, kind, ...values); };
 }});
-check('without WebGL 2 there is no window: status 3', await start(none.page, '03_shadows') === 3);
-check('and one line says why', (await none.page.evaluate(() => window.lines.join('\n'))).includes('this browser has no WebGL 2'));
+check('without WebGL 2, a chapter does not start, with status 3', await start(none.page, '03_shadows') === 3);
+check('without WebGL 2, a line says why a chapter does not start', (await none.page.evaluate(() => window.lines.join('\n'))).includes('this browser has no WebGL 2'));
 
 // ---- A driver that compiles on separate threads ----
 
 const apart = await openPage(browser, server.at, {before: threads});
 await apart.page.evaluate(() => { window.started = window.program.start('03_shadows'); });
 await frames(apart.page, 60);
-check('a start waits for a driver that is still compiling', !(await state(apart.page)).runs);
+check('a chapter does not start while the driver is still compiling', !(await state(apart.page)).runs);
 await apart.page.evaluate(() => { window.compiled = true; });
-check('and then runs', await apart.page.evaluate(() => window.started) === 0 && (await until(apart.page, (s) => s.rate > 0)).runs);
+check('a chapter starts when the driver has compiled it', await apart.page.evaluate(() => window.started) === 0 && (await until(apart.page, (s) => s.rate > 0)).runs);
 const rewrite = (more) => apart.page.evaluate((more) => {
     window.compiled = false;
     window.program.write('chapters/03_shadows.frag', `${window.program.read('chapters/03_shadows.frag')}${more}\n`);
@@ -323,18 +326,18 @@ await rewrite('//');
 await until(apart.page, (s) => s.compiles);
 const drawings = await apart.page.evaluate(() => window.calls.drawArrays), at = (await state(apart.page)).time;
 now = await until(apart.page, (s) => s.time > at + 0.2);
-check('while a changed text compiles, the picture keeps moving', now.compiles && now.error === '' && await apart.page.evaluate(() => window.calls.drawArrays) > drawings);
+check('while a change compiles, the old picture keeps running', now.compiles && now.error === '' && await apart.page.evaluate(() => window.calls.drawArrays) > drawings);
 await rewrite('wrong');
 await frames(apart.page, 60);
-check('a further change is compiled instead', (await state(apart.page)).compiles);
+check('a second change starts to compile while the first is compiling', (await state(apart.page)).compiles);
 await apart.page.evaluate(() => { window.compiled = true; });
 now = await until(apart.page, (s) => !s.compiles);
-check('and the errors are those of the further change', /03_shadows\.frag:\d+: error/.test(now.error), now.error);
+check('the errors reported are those of the second change', /03_shadows\.frag:\d+: error/.test(now.error), now.error);
 await apart.page.close();
 
 // ---- A slow driver ----
 
-// Each draw takes a tenth of a second, so the picture is drawn coarsely and sharpened row by row.
+// Each draw call appears to take a tenth of a second, so the picture is drawn coarsely and then sharpened row by row.
 const slow = await openPage(browser, server.at, {before: () => {
     const now = performance.now.bind(performance), {drawArrays} = WebGL2RenderingContext.prototype;
     let more = 0;
@@ -349,7 +352,7 @@ const blacks = await slow.page.evaluate(() => new Promise((done) => {
     const canvas = document.getElementById('canvas'), to = new OffscreenCanvas(320, 180).getContext('2d', {willReadFrequently: true});
     let blits = window.calls.blitFramebuffer, looks = 0, black = 0;
     const turn = () => {
-        if (window.calls.blitFramebuffer > blits) { // in this frame, before the browser shows it
+        if (window.calls.blitFramebuffer > blits) { // drawn in this frame, which the browser has not shown yet
             to.drawImage(canvas, 0, 0, 320, 180);
             looks++;
             black += to.getImageData(160, 178, 1, 1).data.slice(0, 3).every((byte) => byte === 0);
@@ -360,17 +363,18 @@ const blacks = await slow.page.evaluate(() => new Promise((done) => {
     };
     requestAnimationFrame(turn);
 }));
-check('while rows are sharpened, the coarse picture is below them', blacks === 0 && (await state(slow.page)).divisor > 1, blacks);
+check('while rows are sharpened, the other rows show the coarse picture', blacks === 0 && (await state(slow.page)).divisor > 1, blacks);
 await slow.page.close();
 
 // ---- Size ----
 
-// What the first picture of any chapter loads, without and with the texts of all chapters: bytes after gzip.
+// The size after gzip, in bytes, of the files that the first picture of any chapter loads, and of the texts of all
+// chapters.
 const packed = (files) => files.reduce((sum, file) => sum + Number(execFileSync('bash', ['-c', `gzip -9c '${file}' | wc -c`], {encoding: 'utf8'})), 0);
 const module = packed(['harness.wasm', 'harness.js', 'program.js', 'course.json'].map((name) => `${WEB}/${name}`));
 const chapters = packed(fs.readdirSync(`${WEB}/course/chapters`).filter((name) => /\.(frag|glsl)$/.test(name)).map((name) => `${WEB}/course/chapters/${name}`));
-console.log(`# the module takes ${module} bytes compressed, the texts of all chapters ${chapters} more, one by one`);
-check('wasm, script and data of the module take at most 280 KB compressed', module <= 280e3, module);
+console.log(`# the module takes ${module} bytes compressed, and the texts of all chapters, compressed one by one, ${chapters} more`);
+check('the module\'s wasm, scripts and data take at most 280 KB, compressed', module <= 280e3, module);
 
 finish();
 await browser.close();

@@ -1,5 +1,5 @@
-// speed.mjs - the cost of a frame in a browser compared with the program's own, in processor time, which other programs
-// hardly affect; and, printed but not judged, how long a reader waits for a first picture.
+// speed.mjs - compares the cost of a frame in a browser with that in the native program, in processor time, which other
+// programs hardly affect. It also prints, but does not judge, how long a reader waits for the first picture.
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
 import {blankPage, check, finish, launch, loadProgram, openPage, processors, serve, WEB} from './browser.mjs';
@@ -11,8 +11,8 @@ const own = () => Number(/frame, median +([0-9.]+)/.exec(execFileSync('build/03_
 
 // ---- A frame ----
 
-// The work of a benchmark besides its frames is the same in both runs, and cancels in their difference. The
-// processor's speed changes while other programs run, so the three shares of time are interleaved.
+// The work that a benchmark does in addition to its frames is the same in both runs, so it cancels in their difference.
+// The processor's speed changes while other programs run, so the measurements alternate, in three rounds.
 const FEW = 5, MANY = 85;
 await bench(FEW);
 let here = 0, there = 0;
@@ -25,8 +25,8 @@ for (let round = 0; round < 3; round++) {
     there += own() / 3000;
 }
 const ratio = here / there;
-console.log(`# a frame of 03_shadows, 640x360: ${(1000 * here).toFixed(1)} ms of processor time in the browser, ${(1000 * there).toFixed(1)} in the program: ${ratio.toFixed(2)} times`);
-check('a frame takes at most 1.5 times what it takes in the program', ratio <= 1.5, ratio);
+console.log(`# a frame of 03_shadows, 640x360: ${(1000 * here).toFixed(1)} ms of processor time in the browser, ${(1000 * there).toFixed(1)} ms in the native program: ${ratio.toFixed(2)} times as much`);
+check('a frame takes at most 1.5 times as long as in the native program', ratio <= 1.5, ratio);
 
 // ---- The first picture ----
 
@@ -44,8 +44,8 @@ for (let i = 0; i < 5; i++) {
     await fresh.page.close();
 }
 waits.sort((a, b) => a - b);
-console.log(`# from a click to the first picture of 03_shadows: ${waits.map((x) => x.toFixed(0)).join(', ')} ms, of which 500 are allowed; ${fs.readFileSync('/proc/loadavg', 'utf8').split(' ')[0]} programs want the processors`);
-check('there is a first picture', waits.every((x) => x > 0));
+console.log(`# from a click to the first picture of 03_shadows: ${waits.map((x) => x.toFixed(0)).join(', ')} ms (at most 500); load average ${fs.readFileSync('/proc/loadavg', 'utf8').split(' ')[0]}`);
+check('the first picture is drawn', waits.every((x) => x > 0));
 
 finish();
 await browser.close();

@@ -1,6 +1,7 @@
-// swiftshader.mjs [PATTERN] - the pictures on SwiftShader, Chromium's own rasteriser for machines without a graphics
-// card: how far each is from its reference, and how large the errors of its functions are, next to Mesa's; printed but
-// not judged. docs/architecture.md has the reasons. By default one picture of each chapter; PATTERN selects others.
+// swiftshader.mjs [PATTERN] - draws pictures with SwiftShader, Chromium's rasteriser for machines without a graphics
+// card, and prints how far each is from its reference, and how large the errors of SwiftShader's functions are, next to
+// Mesa's. These numbers are not judged; docs/architecture.md has the reasons. By default, it draws one picture of each
+// chapter; PATTERN selects others.
 import fs from 'node:fs';
 import {check, compare, draw, finish, keep, launch, openPage, pictures, serve, WEB} from './browser.mjs';
 
@@ -10,15 +11,15 @@ const rows = pictures().filter((row) => pattern ? pattern.test(row.name) : row.n
 fs.mkdirSync(OUT, {recursive: true});
 const server = await serve(WEB), browser = await launch('swiftshader');
 const {page, said} = await openPage(browser, server.at);
-// Occasionally the browser offers no context at first; then its renderer is started again.
+// Occasionally, the browser offers no context at first and restarts its renderer, so the test waits for a context.
 const renderer = await (await page.waitForFunction(() => {
     const context = document.createElement('canvas').getContext('webgl2');
     return context?.getParameter(context.getExtension('WEBGL_debug_renderer_info').UNMASKED_RENDERER_WEBGL);
 })).jsonValue();
 check('SwiftShader draws', /SwiftShader/.test(renderer), renderer);
 
-// The largest error of some functions in a fragment shader, relative to the value or to 1, whichever is larger, at 4096
-// points.
+// The largest error of each of four functions in a fragment shader, at 4096 points, relative to the value or to 1,
+// whichever is larger.
 function errors() {
     const gl = document.createElement('canvas').getContext('webgl2'), program = gl.createProgram(), N = 64;
     gl.getExtension('EXT_color_buffer_float');
@@ -50,7 +51,7 @@ function errors() {
 }
 console.log(`# largest errors on SwiftShader: ${await page.evaluate(errors)}`);
 const mesa = await launch();
-console.log(`# and on Mesa: ${await (await openPage(mesa, server.at)).page.evaluate(errors)}`);
+console.log(`# largest errors on Mesa: ${await (await openPage(mesa, server.at)).page.evaluate(errors)}`);
 await mesa.close();
 
 let same = 0, drawn = 0;

@@ -1,4 +1,4 @@
-// twice.mjs - the site is built twice from the same module: the files and the archive have the same bytes.
+// twice.mjs - builds the site twice from the same module and tests that the files and the archives have the same bytes.
 import {spawnSync} from 'node:child_process';
 import fs from 'node:fs';
 import {check, finish} from './browser.mjs';
@@ -14,9 +14,9 @@ const archives = ['one', 'two'].map((name) => {
 });
 const names = (folder) => fs.readdirSync(folder, {recursive: true}).filter((name) => fs.statSync(`${folder}/${name}`).isFile()).sort();
 const [one, two] = archives, all = names(one.site);
-check('both have the same files', all.length > 500 && names(two.site).join() === all.join(), all.length);
+check('both sites have the same files', all.length > 500 && names(two.site).join() === all.join(), all.length);
 const different = all.filter((name) => !fs.existsSync(`${two.site}/${name}`) || !fs.readFileSync(`${one.site}/${name}`).equals(fs.readFileSync(`${two.site}/${name}`)));
-check('which have the same bytes', different.length === 0, different.slice(0, 8));
-check('and so does the archive', fs.readFileSync(one.zip).equals(fs.readFileSync(two.zip)));
+check('the files of both sites have the same bytes', different.length === 0, different.slice(0, 8));
+check('the archives of both sites have the same bytes', fs.readFileSync(one.zip).equals(fs.readFileSync(two.zip)));
 fs.rmSync(FOLDER, {recursive: true});
 finish();

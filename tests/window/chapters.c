@@ -1,4 +1,5 @@
-// chapters.c - every chapter opens in a window, moves, and reports nothing.
+// chapters.c - tests that every chapter opens in a window, that its camera moves, and that it
+// reports nothing.
 #include <dirent.h>
 
 #include "lib/session.h"
@@ -12,7 +13,7 @@ static void try_chapter(const char *stem)
     user_release(GLFW_KEY_W);
     session_turn();
     if (session_off(0, NULL) <= 0.0)
-        print_error("%s: does not move\n", stem);
+        print_error("%s: the picture does not change when the camera moves\n", stem);
     assert_true(session_off(0, NULL) > 0.0);
     session_close();
 }

@@ -1,5 +1,6 @@
-// comparison.c - two pictures side by side in a window: the divider is dragged, both follow the
-// camera and the keys, and each has its own values. tests/window/reload.c tests saved files.
+// comparison.c - tests two pictures side by side in a window: the divider is dragged, both pictures
+// follow the camera and the keys, and each has its own parameter values. tests/window/reload.c
+// tests saved files.
 #include "lib/compare.h"
 #include "lib/scratch.h"
 #include "lib/session.h"
@@ -8,8 +9,8 @@
 #define CHAPTER "01_normal_colouring"
 #define PAIR    SESSION_STILL " --compare --set normalStep=0.4"
 
-// A picture that is written and a screenshot both have labels, but neither shows the handle of the
-// window's divider: the screenshot equals the picture of the command line.
+// Check that a screenshot equals the picture that the command line writes. Both have labels, but
+// neither shows the handle of the window's divider.
 static void assert_shot(const char *options, ...) __attribute__((format(printf, 1, 2)));
 static void assert_shot(const char *options, ...)
 {
@@ -34,12 +35,12 @@ SESSION_TEST(the_divider_is_dragged)
     session_keep(0);
     drag(160, 96);
     assert_shot(PAIR " --divider 0.3");
-    assert_true(session_off(0, (const int[]){96, 0, 64, 200}) > 0.01); // in the window too
+    assert_true(session_off(0, (const int[]){96, 0, 64, 200}) > 0.01); // the window has changed too
     drag(96, 319);
     drag(318, 64);
     assert_shot(PAIR " --divider 0.2");
     session_keep(0);
-    drag(100, 160); // beside the divider: both pictures turn
+    drag(100, 160); // a drag beside the divider turns both pictures
     assert_true(session_off(0, (const int[]){0, 0, 60, 200}) > 0.01);
     assert_true(session_off(0, (const int[]){70, 0, 250, 200}) > 0.01);
     session_shift_key(GLFW_KEY_R);
@@ -50,7 +51,7 @@ SESSION_TEST(the_divider_is_dragged)
     session_close();
 }
 
-SESSION_TEST(each_has_its_own_values)
+SESSION_TEST(each_picture_has_its_own_values)
 {
     session_open_bare(CHAPTER, PAIR " --divider 0.2");
     session_key(GLFW_KEY_RIGHT);
@@ -93,7 +94,7 @@ SESSION_TEST(each_has_its_own_values)
     session_close();
 }
 
-SESSION_TEST(a_click_asks_its_side)
+SESSION_TEST(a_click_selects_a_ray_of_the_clicked_picture)
 {
     static char told[65536], printed[65536];
     session_open_bare(CHAPTER, PAIR " --divider 0.2");
@@ -107,7 +108,7 @@ SESSION_TEST(a_click_asks_its_side)
     assert_memory_equal(strchr(told, '\n') + 1, printed, strlen(printed));
 }
 
-SESSION_TEST(what_one_alone_has_is_changed_by_keys)
+SESSION_TEST(keys_change_a_parameter_of_only_one_picture)
 {
     scratch_write("glowing.frag", "uniform float glow; // 0.25 in [0, 1]: light of the sky\n"
                                   "#include \"main.glsl\"\n#include \"camera.glsl\"\n"
@@ -125,8 +126,8 @@ SESSION_TEST(what_one_alone_has_is_changed_by_keys)
     session_close();
 }
 
-// A dense display has two pixels for each of the window's units.
-SESSION_TEST(a_dense_divider_goes_where_it_is_dragged)
+// This dense display has two pixels per unit of the window.
+SESSION_TEST(on_a_dense_display_the_divider_follows_the_pointer)
 {
     user.density = 2;
     session_open_bare(CHAPTER, "--size 160x100 --camera 1.65,1.6,3.4,-26,-23.5 --compare --set "

@@ -1,5 +1,5 @@
-// input.c - keys and pointer, and their effects: GLFW's callbacks are called as GLFW calls them,
-// without a window and at times that the test sets.
+// input.c - tests the effects of the keys and the pointer. The test calls GLFW's callbacks as GLFW
+// would, without a window and at times that it sets.
 #include "lib/test.h"
 #include "lib/user.h"
 #include "window/actions.h"
@@ -16,7 +16,7 @@ static void drag(double right, double down)
     user_drag(user.pointer[0], user.pointer[1], right, down);
 }
 
-// ---- An invisible window ----
+// ---- The tested window ----
 
 static GLint always_there(GLuint program, const GLchar *name)
 {
@@ -26,7 +26,7 @@ static GLint always_there(GLuint program, const GLchar *name)
 
 static struct gl gl = {.GetUniformLocation = always_there};
 static struct renderer renderer = {.gl = &gl};
-static int shown; // how often an immediate redraw was requested
+static int shown; // the number of immediate redraws that were requested
 static const struct window_start start = {.camera = {.position = {1, 2, 3}, .pan = 10, .tilt = 20}};
 
 static void show(void *to)
@@ -37,7 +37,7 @@ static void show(void *to)
 static int set_up(void **unused)
 {
     (void)unused;
-    // As if the shader read OrthoView.
+    // The shader appears to read OrthoView.
     static struct shader_input ortho;
     ortho = inputs_default(inputs_find("OrthoView"));
     renderer.fragment.inputs = &ortho;
@@ -59,11 +59,11 @@ static void assert_turned(double pan, double tilt)
     window_act(&tested);
     const struct camera *camera = &tested.inputs.camera;
     if (fabs((double)camera->pan - pan) > 1e-4 || fabs((double)camera->tilt - tilt) > 1e-4)
-        fail_msg("pan %g, tilt %g, not %g, %g", (double)camera->pan, (double)camera->tilt, pan,
+        fail_msg("pan %g, tilt %g; expected %g, %g", (double)camera->pan, (double)camera->tilt, pan,
                  tilt);
 }
 
-// The distance that the eye has moved since the start.
+// Act on the input. Returns the camera's distance from its starting position.
 static double travelled(void)
 {
     window_act(&tested);
@@ -72,8 +72,8 @@ static double travelled(void)
     return (double)glm_vec3_norm(way);
 }
 
-// All these events arrive in one poll, and by then the pointer is at the end of the drag.
-TEST_WITH(a_drag_behind_a_focus_turns, set_up, NULL)
+// If all these events arrive in one poll, the pointer is already at the end of the drag.
+TEST_WITH(a_drag_right_after_the_focus_turns_the_camera, set_up, NULL)
 {
     user.calls.focus(NULL, GLFW_TRUE);
     user.pointer[0] = 140;
@@ -83,7 +83,7 @@ TEST_WITH(a_drag_behind_a_focus_turns, set_up, NULL)
     assert_turned(16, 20);
 }
 
-TEST_WITH(the_free_pointer_turns_nothing, set_up, NULL)
+TEST_WITH(a_free_pointer_does_not_turn_the_camera, set_up, NULL)
 {
     user_point(200, 150);
     user.calls.focus(NULL, GLFW_FALSE);
@@ -91,7 +91,7 @@ TEST_WITH(the_free_pointer_turns_nothing, set_up, NULL)
     assert_turned(10, 20);
 }
 
-TEST_WITH(a_captured_pointer_looks, set_up, NULL)
+TEST_WITH(a_captured_pointer_turns_the_camera, set_up, NULL)
 {
     user_press(GLFW_KEY_M, 0);
     user_point(3000, 2000); // the origin of a captured pointer's position is arbitrary
@@ -105,9 +105,9 @@ TEST_WITH(a_captured_pointer_looks, set_up, NULL)
     assert_turned(10, 20);
 }
 
-TEST_WITH(a_click_chooses_a_ray, set_up, NULL)
+TEST_WITH(a_click_selects_a_ray, set_up, NULL)
 {
-    drag(2, 1); // as a trembling hand does
+    drag(2, 1); // a hand may tremble during a click
     assert_turned(10, 20);
     assert_int_equal(tested.inputs.pixel[0], 100);
     assert_int_equal(tested.inputs.pixel[1], 99);
@@ -116,8 +116,8 @@ TEST_WITH(a_click_chooses_a_ray, set_up, NULL)
     assert_true(tested.inputs.pixel[0] == -1 && tested.dirty);
 }
 
-// A click is measured in the window's units from the top left, a pixel from the bottom left; on a
-// dense display a unit is 2, or 1.5, pixels wide.
+// A click's position is measured in the window's units from the top left, but a pixel's from the
+// bottom left. On a dense display, a unit is 2 or 1.5 pixels wide.
 TEST_WITH(a_click_finds_its_pixel_on_any_display, set_up, NULL)
 {
     static const struct {
@@ -141,7 +141,7 @@ TEST_WITH(a_click_finds_its_pixel_on_any_display, set_up, NULL)
     }
 }
 
-TEST_WITH(what_comes_first_is_done_first, set_up, NULL)
+TEST_WITH(events_take_effect_in_their_order, set_up, NULL)
 {
     drag(40, 0);
     user_press(GLFW_KEY_R, GLFW_MOD_SHIFT);
@@ -164,8 +164,8 @@ TEST_WITH(the_wheel_zooms, set_up, NULL)
     assert_false(tested.moved);
 }
 
-// The eye moves by 2 units for each second that the key is down, or by 8 with Shift or F held,
-// however many turns of the loop that takes.
+// The camera moves at 2 units per second while the key is down, or at 8 while Shift or F is held
+// too, however many iterations of the main loop that takes.
 TEST_WITH(a_held_key_moves, set_up, NULL)
 {
     user_press(GLFW_KEY_W, 0);
@@ -188,8 +188,9 @@ TEST_WITH(a_held_key_moves, set_up, NULL)
     assert_true(fabs(travelled() - 0.25) < 1e-5);
 }
 
-// way: how far to the right, up and forward, seen from the eye, except that up is the world's.
-TEST_WITH(each_key_has_its_way, set_up, NULL)
+// A key's way is its direction: how far to the right, up and forward. Right and forward are those
+// of the camera, but up is that of the world.
+TEST_WITH(each_key_has_its_direction, set_up, NULL)
 {
     static const struct {
         int key, way[3];
@@ -225,14 +226,14 @@ TEST_WITH(opposite_keys_do_not_move, set_up, NULL)
     assert_false(tested.moved);
 }
 
-TEST_WITH(a_machine_that_stalls_throws_nothing_away, set_up, NULL)
+TEST_WITH(a_stall_of_the_machine_hardly_moves_the_camera, set_up, NULL)
 {
     user_press(GLFW_KEY_W, 0);
     user.now = 60.0;
     assert_true(fabs(travelled() - 0.2) < 1e-5);
 }
 
-TEST_WITH(a_focus_lets_go, set_up, NULL)
+TEST_WITH(losing_the_focus_releases_the_keys, set_up, NULL)
 {
     user_press(GLFW_KEY_W, 0);
     user.calls.focus(NULL, GLFW_FALSE);
@@ -262,8 +263,8 @@ TEST_WITH(any_number_of_keys_can_wait, set_up, NULL)
     assert_int_equal(tested.input.events, 0);
 }
 
-// Half a second from end to end; Tab pressed during it reverses the direction.
-TEST_WITH(tab_passes_through_what_lies_between, set_up, NULL)
+// The transition takes half a second. Pressing Tab during the transition reverses it.
+TEST_WITH(tab_changes_the_projection_gradually, set_up, NULL)
 {
     user_press(GLFW_KEY_TAB, 0);
     window_act(&tested);
@@ -283,9 +284,9 @@ TEST_WITH(tab_passes_through_what_lies_between, set_up, NULL)
     assert_true(renderer.orthographic == 1.0);
 }
 
-// Characters typed into a field. The comma of a French keyboard counts as a point, and a character
-// that no number contains is reported.
-TEST_WITH(a_field_takes_a_number_alone, set_up, NULL)
+// In a field for one number, a comma counts as a decimal point, as on a French keyboard. A
+// character that no number contains is refused with a message.
+TEST_WITH(a_field_accepts_only_numbers, set_up, NULL)
 {
     struct parameter item[] = {{.name = "size", .components = 1, .maximum = 9.0, .value = {5.0}},
                                {.name = "way", .components = 2, .maximum = 9.0}};
@@ -294,7 +295,7 @@ TEST_WITH(a_field_takes_a_number_alone, set_up, NULL)
     tested.grab.what = GRAB_VALUE;
     tested.grab.part = -1;
     window_field_open(&tested);
-    for (const char *c = "\xe9&_(wE"; *c != '\0'; c++) { // keys with other functions do nothing
+    for (const char *c = "\xe9&_(wE"; *c != '\0'; c++) { // the key H must not hide the panel
         user_press(GLFW_KEY_H, 0);
         user.calls.letter(NULL, (unsigned char)*c);
         window_act(&tested);
@@ -323,15 +324,15 @@ TEST_WITH(a_field_takes_a_number_alone, set_up, NULL)
     user_press(GLFW_KEY_ENTER, 0);
     window_act(&tested);
     assert_true(item[1].value[0] == 1.0 && item[1].value[1] == 3.5);
-    // A press in the picture leaves a field, and looks around.
+    // A press in the picture closes the field, and a drag turns the camera.
     window_field_open(&tested);
     drag(40, 0);
     assert_turned(16, 20);
     assert_false(tested.input.typing);
 }
 
-// An open picker: Escape closes it and does not pause; a press elsewhere closes it and selects no
-// ray; a second Escape pauses.
+// Escape closes an open picker and does not pause. A press elsewhere closes the picker and selects
+// no ray. When the picker is closed, Escape pauses.
 TEST_WITH(a_picker_closes, set_up, NULL)
 {
     struct parameter colour = {.name = "tint",
@@ -355,25 +356,25 @@ TEST_WITH(a_picker_closes, set_up, NULL)
     window_picker_open(&tested);
     tested.grab.picker = (struct picker){
         .left = 50, .top = 50, .width = 104, .height = 86, .side = 72, .value = {-1.0}};
-    drag(-200, -200); // from (102, 101), in the square
+    drag(-200, -200); // the drag starts at (102, 101), in the picker's square
     window_act(&tested);
     assert_true(tested.input.picker_open && tested.moved);
     for (int k = 0; k < 3; k++)
         assert_true(colour.value[k] == 1.0);
     assert_turned(10, 20);
-    tested.dirty = false; // as if drawn without the picker's row
+    tested.dirty = false; // as if the panel had been drawn without the picker's row
     tested.grab.picker.width = 0.0f;
     window_act(&tested);
     assert_false(tested.input.picker_open);
     user_press(GLFW_KEY_ESCAPE, 0);
     window_act(&tested);
     assert_true(tested.paused);
-    // Once it is closed, a drag in the picture turns the eye again.
+    // Once the picker is closed, a drag in the picture turns the camera again.
     drag(40, 0);
     assert_turned(16, 20);
 }
 
-// Each effect with its keys, under their labels on a French keyboard.
+// Each effect is listed with its keys, labelled as on a French keyboard.
 TEST_WITH(every_key_is_listed, set_up, NULL)
 {
     static const char *const listed[][2] = {{"move", "Z Q S D"},      {"up, down", "Space C"},

@@ -1,5 +1,5 @@
-// keys.c - what a window shows after a key press, compared with the command line: views,
-// parameters, panel, screenshots, full screen, sizes.
+// keys.c - tests what a window shows after a key press, compared with the pictures that the command
+// line writes: views, parameters, the panel, screenshots, full screen and sizes.
 #include "context/context.h"
 #include "lib/compare.h"
 #include "lib/scratch.h"
@@ -27,7 +27,7 @@ SESSION_TEST(the_window_opens_on_its_picture)
     session_close();
 }
 
-// The list of keys shows the labels of the keyboard as soon as there is one.
+// The list of keys shows the labels of the user's keyboard as soon as the window has the focus.
 SESSION_TEST(a_french_keyboard_has_its_labels)
 {
     scratch_write("flat.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.3); }");
@@ -92,19 +92,19 @@ SESSION_TEST(keys_change_parameters)
     session_assert_title("focalLength = 2.2");
     session_assert_shown(CHAPTER, SESSION_STILL " --set focalLength=2.2");
     session_key(GLFW_KEY_DELETE);
-    session_key(GLFW_KEY_TAB); // there is no orthographic parameter
+    session_key(GLFW_KEY_TAB); // the shader has no orthographic view, so Tab has no effect
     session_assert_shown(CHAPTER, SESSION_STILL);
 }
 
 SESSION_TEST(a_screenshot_is_the_picture)
 {
     session_open(CHAPTER, SESSION_STILL);
-    for (int i = 0; i < 2; i++) // an existing file is kept
+    for (int i = 0; i < 2; i++) // the second screenshot must not replace the first
         session_assert_screenshot(CHAPTER, SESSION_STILL);
     session_close();
     struct image shot, shown;
     struct image_difference difference;
-    session_open(CHAPTER, SESSION_STILL " --overlay"); // the screenshot contains it
+    session_open(CHAPTER, SESSION_STILL " --overlay"); // the screenshot contains the overlay
     user_look(&shown);
     session_shoot(&shot);
     assert_true(image_compare(&shot, &shown, &difference) && difference.f2 < 0.01);
@@ -115,9 +115,9 @@ SESSION_TEST(a_screenshot_is_the_picture)
     session_close();
 }
 
-// A camera moved by hand shows what one placed by the command line shows; a drag turns it by 0.15
-// degrees per pixel.
-SESSION_TEST(the_camera_is_led)
+// A camera moved by the user shows the same picture as one placed on the command line. A drag turns
+// the camera by 0.15 degrees per pixel.
+SESSION_TEST(the_user_moves_the_camera)
 {
     session_open_bare(CHAPTER, SESSION_STILL);
     user_drag(100, 100, 60, -40);
@@ -128,7 +128,7 @@ SESSION_TEST(the_camera_is_led)
     session_key(GLFW_KEY_M);
     assert_false(user.captured);
     user_press(GLFW_KEY_SPACE, 0);
-    user.now += 0.05; // 2 units a second
+    user.now += 0.05; // at 2 units per second
     user_release(GLFW_KEY_SPACE);
     session_turn();
     session_assert_shown(CHAPTER, "--size 320x200 --camera 1.65,1.7,3.4,-17,-17.5");
@@ -136,7 +136,8 @@ SESSION_TEST(the_camera_is_led)
     session_assert_shown(CHAPTER, SESSION_STILL);
 }
 
-// A shader sets with cameraRoom where the camera stops. The command line may place it lower.
+// A shader's cameraRoom determines where the camera stops. The command line may place the camera
+// lower.
 SESSION_TEST(the_camera_stops_at_the_ground)
 {
     const char *shader = scratch_write(
@@ -147,7 +148,7 @@ SESSION_TEST(the_camera_stops_at_the_ground)
                        "vec3 rayColour(Ray ray) { return vec3(ray.origin.y); }\n");
     session_open_bare(CHAPTER, "--size 64x36 --shader %s --camera 0,0.9,0,0,0", shader);
     user_press(GLFW_KEY_C, 0);
-    session_wait(0.5); // 2 units a second
+    session_wait(0.5); // at 2 units per second
     user_release(GLFW_KEY_C);
     session_turn();
     session_assert_shown(CHAPTER, "--size 64x36 --shader %s --camera 0,0.5,0,0,0", shader);
@@ -161,7 +162,7 @@ SESSION_TEST(the_camera_stops_at_the_ground)
     session_assert_shown(CHAPTER, "--size 64x36 --shader %s --camera 0,0.7,0,0,0", shader);
 }
 
-SESSION_TEST(time_runs_and_is_held)
+SESSION_TEST(time_runs_and_can_be_paused)
 {
     session_open_bare("00_first_scene", "--size 160x100");
     session_keep(0);
@@ -173,24 +174,24 @@ SESSION_TEST(time_runs_and_is_held)
     session_keep(0);
     session_wait(0.5);
     assert_true(session_off(0, NULL) <= 0.0);
-    session_key(GLFW_KEY_4); // the steps, which a file with its own main does not have
+    session_key(GLFW_KEY_4); // the steps view, which a file with its own main does not have
     session_assert_title(" - picture");
     assert_non_null(strstr(session_said(2), "steps"));
-    assert_true(session_off(0, NULL) > 0.01); // the overlay says so too,
+    assert_true(session_off(0, NULL) > 0.01); // the overlay says so too
     session_key(GLFW_KEY_1);
-    assert_true(session_off(0, NULL) <= 0.0); // until the next view
+    assert_true(session_off(0, NULL) <= 0.0); // the message disappears with the next view
     session_key(GLFW_KEY_R);
     session_assert_shown("00_first_scene", "--size 160x100 --time 0");
     session_keep(0);
     session_key(GLFW_KEY_ESCAPE);
     session_wait(0.5);
     assert_true(session_off(0, NULL) > 0.01);
-    session_key(GLFW_KEY_E); // this shader keeps no trace, so there is no ray
+    session_key(GLFW_KEY_E); // this shader records no march, so no ray is selected
     session_close();
 }
 
 // The shader has its own main, and shows OrthoView as red.
-SESSION_TEST(tab_leads_to_the_other_projection)
+SESSION_TEST(tab_switches_to_the_other_projection)
 {
     scratch_write("whole.frag", "#version 330 core\nin float OrthoView;\nout vec4 FragColor;\n"
                                 "void main() { FragColor = vec4(OrthoView, 0.0, 0.0, 1.0); }");
@@ -225,8 +226,8 @@ SESSION_TEST(f11_fills_the_monitor_below_the_window)
     session_assert_shown(CHAPTER, SESSION_STILL);
 }
 
-// While the window's edge is dragged, Windows and macOS keep GLFW from returning, so the loop does
-// not turn.
+// While the window's edge is dragged on Windows or macOS, GLFW does not return, so the main loop
+// does not run.
 SESSION_TEST(a_size_is_shown_at_once)
 {
     session_open_bare(CHAPTER, SESSION_STILL);
@@ -236,7 +237,7 @@ SESSION_TEST(a_size_is_shown_at_once)
         session_assert_shown(CHAPTER, "--size %dx%d --camera 1.65,1.6,3.4,-26,-23.5", sizes[i][0],
                              sizes[i][1]);
     }
-    user_resize(0, 0); // as iconified on Windows
+    user_resize(0, 0); // the size of an iconified window on Windows
     session_turn();
     user_resize(320, 200);
     session_turn();
@@ -253,8 +254,8 @@ SESSION_TEST(a_dense_display_has_all_its_pixels)
     session_close();
 }
 
-// A coarse pass starts the march of the picture and of its slice.
-SESSION_TEST(two_passes_are_one_picture)
+// Both the picture and its slice start their marches where the coarse pass ended.
+SESSION_TEST(two_passes_draw_one_picture)
 {
     session_open_bare(CHAPTER, SESSION_STILL " --shader tests/shaders/coarse.frag");
     session_assert_shown(CHAPTER, SESSION_STILL " --shader tests/shaders/coarse.frag");
@@ -282,7 +283,7 @@ SESSION_TEST(a_still_window_rests)
     assert_in_range(user.waits, 80, 100);
 }
 
-// The last value of a hint; -1 if it was not given.
+// The last value given to a hint; -1 if there was none.
 static int hinted(int hint)
 {
     int value = -1;
@@ -291,8 +292,8 @@ static int hinted(int hint)
     return value;
 }
 
-// The hints for a window.
-SESSION_TEST(hints_are_those_of_a_mac)
+// Check the hints for a visible window and for a hidden one.
+SESSION_TEST(hints_are_those_that_a_mac_needs)
 {
     session_open(CHAPTER, SESSION_STILL);
     static const int hints[][2] = {{GLFW_COCOA_MENUBAR, 1},
@@ -307,7 +308,7 @@ SESSION_TEST(hints_are_those_of_a_mac)
     session_close();
     struct context hidden;
     assert_true(context_open_offscreen(&hidden, CONTEXT_GLFW));
-    assert_int_equal(hinted(GLFW_COCOA_MENUBAR), 0); // no icon in the Dock
+    assert_int_equal(hinted(GLFW_COCOA_MENUBAR), 0); // a hidden window has no icon in the Dock
     assert_int_equal(hinted(GLFW_OPENGL_FORWARD_COMPAT), 1);
     assert_int_equal(hinted(GLFW_VISIBLE), 0);
     context_close(&hidden);

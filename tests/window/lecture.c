@@ -1,5 +1,5 @@
-// lecture.c - the scenes of a list in one window: the keys of a presenter's remote control, when
-// scenes are compiled, and the messages about a bad list.
+// lecture.c - tests the scenes of a list in one window: the keys of a presenter's remote control,
+// the time at which scenes are compiled, and the messages about a bad list.
 #include "command/lecture.h"
 
 #include "lib/compare.h"
@@ -46,7 +46,7 @@ static void turns(int count)
 static void key(int code, int modifiers)
 {
     user_key(code, modifiers);
-    turns(2); // in the second one, the new scene is drawn
+    turns(2); // the new scene is drawn in the second iteration
 }
 
 static void on(void)
@@ -64,7 +64,7 @@ static void open_list(const char *path)
     assert_int_equal(read_list(path), RUN_DONE);
     assert_int_equal(lecture_open(lecture), RUN_DONE);
     assert_true(user.full);
-    user_resize(320, 180); // to draw less
+    user_resize(320, 180); // fewer pixels, to save time
     turns(2);
 }
 
@@ -81,41 +81,41 @@ static void close_list(void)
     assert_false(user.open);
 }
 
-// Fails the test unless the window shows, without its overlay, what a chapter writes.
+// Fails the test unless the window, without its overlay, shows the picture that a chapter writes.
 static void assert_scene(const char *stem, const char *options)
 {
-    key(GLFW_KEY_H, 0); // the panel with the caption, then nothing
+    key(GLFW_KEY_H, 0); // the first press shows the panel with the caption, the second hides both
     key(GLFW_KEY_H, 0);
     session_assert_shown(stem, SIZE "%s", options);
 }
 
-SESSION_TEST(page_keys_lead_through_the_scenes)
+SESSION_TEST(page_keys_change_the_scene)
 {
     open_text("# mine\n01 " STILL "\n  The picture.\n\n"
               "01 " STILL " --view normals\n  Its\n  normals.\n3 --time 1 --set lampSpeed=50\n");
     session_keep(0);
     assert_scene(stems[1], STILL);
     assert_true(session_off(0, (const int[]){9, 152, 50, 18}) > 0.2);  // the caption is gone
-    assert_true(session_off(0, (const int[]){0, 0, 320, 140}) <= 0.0); // there was nothing else
-    back();                                                            // it is the first scene
+    assert_true(session_off(0, (const int[]){0, 0, 320, 140}) <= 0.0); // nothing else has changed
+    back(); // there is no scene before the first
     assert_scene(stems[1], STILL);
     on();
     session_keep(0);
     assert_scene(stems[1], STILL " --view normals");
     assert_true(session_off(0, (const int[]){9, 152, 50, 18}) > 0.2);
-    user.calls.key(NULL, GLFW_KEY_PAGE_DOWN, 0, GLFW_REPEAT, 0); // a key that is held
+    user.calls.key(NULL, GLFW_KEY_PAGE_DOWN, 0, GLFW_REPEAT, 0); // a held key has no effect
     turns(2);
     session_assert_shown(stems[1], SIZE STILL " --view normals");
     on();
-    turns(60); // its time is paused
+    turns(60); // the scene's time is paused
     assert_scene(stems[2], "--time 1 --set lampSpeed=50");
     session_assert_title("lampSpeed = 50"); // the first parameter of --set is selected
-    on();                                   // it is the last scene
+    on();                                   // there is no scene after the last
     key(GLFW_KEY_RIGHT, 0);
     session_assert_title("lampSpeed = 55");
     back();
     assert_scene(stems[1], STILL " --view normals");
-    on(); // with its own values again
+    on(); // the scene has its own values again
     assert_scene(stems[2], "--time 1 --set lampSpeed=50");
     key(GLFW_KEY_ESCAPE, 0);
     session_keep(0);
@@ -128,7 +128,7 @@ SESSION_TEST(a_ray_comes_before_the_next_scene)
 {
     open_text("01 " STILL " --view slice --step 2\n01 " STILL "\n");
     assert_scene(stems[1], STILL " --view slice --step 2");
-    key(GLFW_KEY_Q, 0); // before the scene's first step too, Page Down goes along the ray
+    key(GLFW_KEY_Q, 0); // Page Down also goes along the ray from before the scene's first step
     on();
     on();
     session_assert_shown(stems[1], SIZE STILL " --view slice --step 3");
@@ -137,7 +137,7 @@ SESSION_TEST(a_ray_comes_before_the_next_scene)
     session_assert_shown(stems[1], SIZE STILL " --view slice --step 4");
     on(); // the march has five steps
     assert_scene(stems[1], STILL);
-    back(); // to its last step
+    back(); // to the last step of the scene before
     assert_scene(stems[1], STILL " --view slice --step 4");
     back();
     back();
@@ -152,12 +152,12 @@ SESSION_TEST(n_skips_the_steps_of_a_ray)
     key(GLFW_KEY_N, 0);
     assert_scene(stems[1], STILL);
     key(GLFW_KEY_N, 0);
-    user.calls.key(NULL, GLFW_KEY_N, 0, GLFW_REPEAT, 0); // nothing comes after it
+    user.calls.key(NULL, GLFW_KEY_N, 0, GLFW_REPEAT, 0); // there is no scene after the last
     turns(2);
     assert_scene(stems[1], STILL " --view normals");
     key(GLFW_KEY_N, GLFW_MOD_SHIFT);
     key(GLFW_KEY_N, GLFW_MOD_SHIFT);
-    assert_scene(stems[1], STILL " --view slice --step 4"); // all steps, as with Page Up
+    assert_scene(stems[1], STILL " --view slice --step 4"); // all steps are shown, as with Page Up
     close_list();
 }
 
@@ -171,25 +171,25 @@ SESSION_TEST(presses_that_pile_up_count_once)
     close_list();
 }
 
-SESSION_TEST(digits_with_shift_lead_to_the_parts)
+SESSION_TEST(digits_with_shift_show_the_parts)
 {
     open_text("01 --view depth\n== One\n01 " STILL "\n01 " STILL " --view depth\n"
               "== Two\n01 " STILL " --view normals\n");
     key(GLFW_KEY_2, GLFW_MOD_SHIFT);
     assert_scene(stems[1], STILL " --view normals");
-    key(GLFW_KEY_9, GLFW_MOD_SHIFT); // there is no such part
+    key(GLFW_KEY_9, GLFW_MOD_SHIFT); // there is no part 9
     assert_scene(stems[1], STILL " --view normals");
     key(GLFW_KEY_1, GLFW_MOD_SHIFT);
     assert_scene(stems[1], STILL);
-    key(GLFW_KEY_2, 0); // without Shift, a view
+    key(GLFW_KEY_2, 0); // without Shift, the key selects a view
     session_assert_shown(stems[1], SIZE STILL " --view normals");
     on();
     assert_scene(stems[1], STILL " --view depth");
     close_list();
 }
 
-// What the next scene needs is linked before it is asked for; scenes that differ only in values
-// need nothing new.
+// The programs of the next scene are linked before the user asks for the scene. Scenes that differ
+// only in values need no new programs.
 SESSION_TEST(the_next_scene_is_compiled_ahead)
 {
     open_text("01 " STILL "\n01 " STILL " --set focalLength=1.5\n03 --time 0\n00\n");
@@ -206,7 +206,7 @@ SESSION_TEST(the_next_scene_is_compiled_ahead)
     close_list();
 }
 
-// Save a shader of one grey.
+// Save a shader that draws a single shade of grey.
 static void save(const char *grey)
 {
     char text[256];
@@ -223,7 +223,7 @@ static int grey(void)
     return value;
 }
 
-SESSION_TEST(a_shader_that_is_saved_meanwhile_is_shown)
+SESSION_TEST(a_shader_that_is_saved_during_the_lecture_is_shown)
 {
     char list[8192];
     save("0.2");
@@ -240,10 +240,10 @@ SESSION_TEST(a_shader_that_is_saved_meanwhile_is_shown)
     back();
     save("undeclared");
     capture_begin();
-    on(); // the scene before it stays, with the error,
+    on(); // the scene before stays, with the error
     assert_non_null(strstr(capture_end(), "undeclared"));
     session_keep(0);
-    on(); // and the lecture continues
+    on(); // the lecture continues
     assert_scene(stems[1], STILL " --view normals");
     capture_begin();
     back();
@@ -288,12 +288,12 @@ SESSION_TEST(a_bad_list_is_refused_with_its_line)
     assert_int_equal(read_list("no/such.txt"), RUN_WRONG_COMMAND_LINE);
     assert_non_null(strstr(capture_end(), "no/such.txt: cannot be read"));
     lecture_close(lecture);
-    report("%s", "after a list, messages begin as before");
-    assert_string_equal(report_last(), "after a list, messages begin as before\n");
+    report("%s", "after a list, messages have no prefix");
+    assert_string_equal(report_last(), "after a list, messages have no prefix\n");
 }
 
-// The course's own list, to its end and back, with two keys.
-SESSION_TEST(the_lecture_goes_by_two_keys)
+// Go to the end of the course's own list and a few scenes back, with two keys.
+SESSION_TEST(two_keys_are_enough_for_the_lecture)
 {
     open_list("docs/lecture.txt");
     capture_begin();
@@ -306,7 +306,7 @@ SESSION_TEST(the_lecture_goes_by_two_keys)
     assert_scene("07_repetition", "--set period=3.5 --time 0");
     while (strstr(user.title, "timeOfDay = 17") == NULL && presses-- > -5)
         back();
-    assert_in_range(presses, 0, 5); // a scene with a ray takes more presses
+    assert_in_range(presses, 0, 5); // a scene with a ray takes more than one press
     key(GLFW_KEY_ESCAPE, 0);
     key(GLFW_KEY_R, 0);
     assert_scene("09_sky_and_sunset", "--set timeOfDay=17 --time 0");

@@ -1,5 +1,6 @@
-// pace.c - a window whose picture takes a long time: it is coarser while something moves and
-// sharpens at rest. The clock advances by the time that the test sets for each pixel.
+// pace.c - tests a window whose picture takes a long time to draw: the picture is coarser while
+// something moves, and sharpens at rest. The clock advances by the time that the test sets for each
+// pixel.
 #include "lib/compare.h"
 #include "lib/scratch.h"
 #include "lib/session.h"
@@ -10,13 +11,13 @@
 enum { WIDTH = 480, HEIGHT = 300 };
 static const int above[4] = {0, 0, WIDTH, HEIGHT / 4}, below[4] = {0, 225, WIDTH, HEIGHT / 4};
 
-// Make the whole picture take a second.
+// Make the whole picture take a second to draw.
 static void make_heavy(void)
 {
     user.pixel_seconds = 1.0 / WIDTH / HEIGHT;
 }
 
-// Open the chapter, and keep its sharp picture under the number 0.
+// Open the chapter, and store its sharp picture under the number 0.
 static void open_sharp(const char *options)
 {
     session_open_bare(CHAPTER, LARGE "%s", options);
@@ -36,7 +37,7 @@ static bool sharp(const int part[4])
     return session_off(0, part) <= 0.0;
 }
 
-// Carry out turns until the upper part is sharp and the lower one is not.
+// Run the main loop until the upper part of the picture is sharp and the lower part is not.
 static void turn_to_half(void)
 {
     for (int i = 0; i < 200 && !sharp(above); i++)
@@ -44,7 +45,7 @@ static void turn_to_half(void)
     assert_true(sharp(above) && !sharp(below));
 }
 
-SESSION_TEST(what_is_heavy_is_coarse_and_sharpens_from_the_top)
+SESSION_TEST(a_slow_picture_is_coarse_and_sharpens_from_the_top)
 {
     open_sharp("");
     for (int i = 0; i < 3; i++)
@@ -52,17 +53,17 @@ SESSION_TEST(what_is_heavy_is_coarse_and_sharpens_from_the_top)
     assert_true(!sharp(above) && !sharp(below));
     double begun = user.now;
     disturb();
-    assert_true(user.now - begun < 0.25); // 0.08 s a picture, and the turns
-    for (int i = 0; i < 10; i++) {        // it rests for 0.3 s before it sharpens
+    assert_true(user.now - begun < 0.25); // 0.08 s for each picture, plus the iterations
+    for (int i = 0; i < 10; i++) {        // the picture must rest for 0.3 s before it sharpens
         session_turn();
         assert_false(sharp(above));
     }
     turn_to_half();
-    disturb(); // begins again
+    disturb(); // sharpening starts again
     assert_true(!sharp(above));
     turn_to_half();
     begun = user.now;
-    session_key(GLFW_KEY_H); // answered while it sharpens, and interrupts nothing
+    session_key(GLFW_KEY_H); // takes effect at once, and does not interrupt the sharpening
     assert_true(user.now - begun < 0.25);
     assert_true(session_off(0, (const int[]){8, 8, 130, 20}) > 0.1);
     session_key(GLFW_KEY_H);
@@ -75,7 +76,7 @@ SESSION_TEST(what_is_heavy_is_coarse_and_sharpens_from_the_top)
     session_close();
 }
 
-// The grey that the window shows.
+// The shade of grey that the window shows.
 static int grey(void)
 {
     struct image image;
@@ -85,8 +86,9 @@ static int grey(void)
     return value;
 }
 
-// The selected pixel is scaled with the picture; otherwise another ray would be marched. The grey
-// shows how far the second step of the marched ray is from a plane on the right.
+// The selected pixel must be scaled with the picture, because otherwise another ray would be
+// marched. The shade of grey is a tenth of the distance from the second step of the marched ray to
+// a plane on the right.
 SESSION_TEST(a_coarse_picture_marches_the_selected_ray)
 {
     scratch_write("marched.frag",
@@ -101,7 +103,7 @@ SESSION_TEST(a_coarse_picture_marches_the_selected_ray)
     session_open_bare(CHAPTER, "--size 480x300 --camera 0,0,0,0,0 --shader %s",
                       scratch_path("marched.frag"));
     int middle = grey();
-    session_click(330, 60); // draws the picture again, because it shows the ray
+    session_click(330, 60); // the picture is drawn again, because it depends on the ray
     int selected = grey();
     make_heavy();
     for (int i = 0; i < 3; i++)
@@ -119,8 +121,9 @@ SESSION_TEST(a_screenshot_waits_for_the_sharp_picture)
     session_close();
 }
 
-// All rows show the same time, although drawing them takes many turns; only then does it advance.
-SESSION_TEST(a_screenshot_is_of_one_time)
+// All rows show the same time, although drawing them takes many iterations of the main loop. The
+// time advances only when all rows are drawn.
+SESSION_TEST(a_screenshot_shows_a_single_time)
 {
     scratch_write("moving.frag",
                   "void mainImage(out vec4 c, vec2 p) { c = vec4(fract(iTime), 1.0, 0.0, 1.0); }");

@@ -1,18 +1,18 @@
-// panel_mouse.c - the panel used with the mouse: rows, typed numbers, the colour picker, its
-// position; the title bar shows the changes. tests/window/input.c tests what a field accepts and
-// when a picker closes.
+// panel_mouse.c - tests the panel with the mouse: rows, typed numbers, the colour picker and the
+// panel's position. The title bar shows the changes. tests/window/input.c tests what a field
+// accepts and when a picker closes.
 #include "lib/scratch.h"
 #include "lib/session.h"
 
 #define CHAPTER "01_normal_colouring"
 
-// At scale 1 the rows begin 46 pixels from the top and are 12 pixels high; under the selected one
-// are its range and unit, and for a vector also its components.
+// At scale 1, the rows begin 46 pixels from the top and are 12 pixels high. Below the row of the
+// selected parameter are its range and unit and, for a vector, its components.
 static const char rows[] =
-    "uniform float size; // 5 in [0, 10], units: how large the thing is\n"
+    "uniform float size; // 5 in [0, 10], units: how large the object is\n"
     "uniform float fine; // 0.01 in [0.0001, 1] step *10, units: spans decades\n"
     "uniform bool lit; // true: whether there is light\n"
-    "uniform vec3 tint; // 0.5 in [0, 1], linear RGB: the colour of all\n"
+    "uniform vec3 tint; // 0.5 in [0, 1], linear RGB: the colour of everything\n"
     "#include \"main.glsl\"\n#include \"camera.glsl\"\n#include \"lighting.glsl\"\n"
     "Ray pixelRay(vec2 screen) { return perspectiveRay(screen); }\n"
     "float sceneDistance(vec3 p) { return 1.0 + fine * size; }\n"
@@ -25,7 +25,7 @@ static void open_rows(int scale)
                  scratch_path("rows.frag"));
 }
 
-// The value that the title shows.
+// The value that the title bar shows.
 static double value(void)
 {
     const char *at = strstr(user.title, " = ");
@@ -67,7 +67,8 @@ static void type(const char *text, int key)
     session_turn();
 }
 
-// Move the pointer off the panel: then only the selected parameter shows its range or components.
+// Move the pointer off the panel, so that only the selected parameter shows its range or
+// components.
 static void leave_panel(void)
 {
     point(400, 200);
@@ -92,7 +93,7 @@ SESSION_TEST(a_row_changes_its_value)
     session_assert_title("size = 5");
     session_click(60, 74);
     session_assert_title("fine = 0.01");
-    drag(60, 74, 40, 0); // by decades
+    drag(60, 74, 40, 0); // on a logarithmic scale
     assert_true(value() > 0.015 && value() < 0.1);
     leave_panel();
     session_click(60, 86);
@@ -103,24 +104,24 @@ SESSION_TEST(a_row_changes_its_value)
     leave_panel();
     session_click(60, 98);
     session_assert_title("tint = 0.5,0.5,0.5");
-    drag(60, 122, 40, 0); // below the range of lit and red
+    drag(60, 122, 40, 0); // green, because the range of lit is still open above tint
     assert_true(strstr(user.title, "tint = 0.5,0.") != NULL && !session_titled("0.5,0.5,0.5"));
     session_close();
 }
 
-// When a click selects another parameter, the rows below the previous one stay open while the
-// pointer is on the panel, so a second click at the same position meets the same row.
-SESSION_TEST(rows_stay_below_the_pointer)
+// When a click selects another parameter, the rows below the previous parameter stay open while the
+// pointer is on the panel, so that a second click at the same position hits the same row.
+SESSION_TEST(rows_do_not_move_under_the_pointer)
 {
     open_rows(1);
     session_click(60, 98);
     session_assert_title("tint = ");
-    session_click(60, 86); // lit, above it
+    session_click(60, 86); // lit, the row above tint
     session_assert_title("lit = false");
     session_wait(1.0);
     session_click(60, 86);
     session_assert_title("lit = true");
-    session_click(60, 74); // fine: the range of size is still above it
+    session_click(60, 74); // fine, because the range of size is still open above it
     session_assert_title("fine = ");
     session_wait(1.0);
     session_click(60, 74);
@@ -131,54 +132,54 @@ SESSION_TEST(rows_stay_below_the_pointer)
     session_close();
 }
 
-// A row of one component takes one number; Ctrl+V pastes into it.
+// The row of a single component accepts one number. Ctrl+V pastes into its field.
 SESSION_TEST(a_component_is_typed_or_pasted)
 {
     open_rows(1);
     session_click(60, 98);
     leave_panel();
-    double_click(60, 110); // green, below red
+    double_click(60, 110); // the row of green, below that of red
     type("0.5.5", GLFW_KEY_ENTER);
     session_assert_title("tint = 0.5,0.5,0.5");
-    assert_string_equal(session_said(2), ""); // not the message that tint takes three numbers
+    assert_string_equal(session_said(2), ""); // no message says that tint takes three numbers
     user.clipboard = " 0.25\r\n";
     for (int i = 0; i < 5; i++)
         session_key(GLFW_KEY_BACKSPACE);
     user_key(GLFW_KEY_V, GLFW_MOD_CONTROL);
     session_turn();
-    session_assert_title("tint = 0.5,0.5,0.5"); // the line's end does not act as Enter
+    session_assert_title("tint = 0.5,0.5,0.5"); // the pasted line break does not act as Enter
     session_key(GLFW_KEY_ENTER);
     session_turn();
     session_assert_title("tint = 0.5,0.25,0.5");
     session_close();
 }
 
-SESSION_TEST(words_are_pressed)
+SESSION_TEST(words_act_as_buttons)
 {
     open_rows(1);
     session_keep(0);
-    session_click(60, 30); // the list of views
+    session_click(60, 30); // opens the list of views
     session_click(60, 30 + 12 * 3);
     session_assert_title(" - depth - ");
     session_click(60, 30 + 12);
     session_assert_title(" - picture - ");
-    leave_panel(); // the list closes
+    leave_panel(); // closes the list of views
     session_turn();
     assert_true(session_off(0, NULL) <= 0.0);
     session_click(28, 128);
     session_assert_title("(paused)");
     session_click(28, 128);
     assert_false(session_titled("(paused)"));
-    session_click(126, 128); // step on: selects the ray of the middle pixel
+    session_click(126, 128); // the button for a step on selects the ray of the middle pixel
     assert_non_null(strstr(session_said(1), "ray of pixel 240,135"));
     session_key(GLFW_KEY_X);
-    session_click(165, 128); // hide
+    session_click(165, 128); // the button that hides the panel
     leave_panel();
     session_assert_shown(CHAPTER, "--size 480x270 --shader %s", scratch_path("rows.frag"));
     point(60, 18);
     session_keep(1);
     leave_panel();
-    assert_true(session_off(1, NULL) > 0.005); // the panel's title was visible
+    assert_true(session_off(1, NULL) > 0.005); // under the pointer, the panel's title was visible
     point(60, 18);
     session_click(68, 18); // the mark in the title unfolds the panel
     leave_panel();
@@ -207,15 +208,15 @@ SESSION_TEST(numbers_are_typed)
     session_key(GLFW_KEY_ESCAPE);
     double_click(60, 50);
     user_type("4");
-    session_click(400, 200); // a press in the picture leaves the field
+    session_click(400, 200); // a press in the picture closes the field and discards its text
     session_assert_title("size = 7.25");
     assert_non_null(strstr(session_said(1), "ray of pixel 400,69"));
     session_close();
 }
 
-// The picture shows only the colour, whose row is the first.
+// The picture shows only the colour of the parameter tint, whose row is the first.
 static const char colour[] =
-    "uniform vec3 tint; // 0.5 in [0, 1], linear RGB: the colour of all\n"
+    "uniform vec3 tint; // 0.5 in [0, 1], linear RGB: the colour of everything\n"
     "#include \"main.glsl\"\n#include \"camera.glsl\"\n#include \"lighting.glsl\"\n"
     "Ray pixelRay(vec2 screen) { return perspectiveRay(screen); }\n"
     "float sceneDistance(vec3 p) { return 1.0; }\n"
@@ -230,7 +231,7 @@ SESSION_TEST(a_colour_is_picked)
         session_open(CHAPTER, "--size %dx%d --overlay=%d --shader %s", s * 480, s * 270, s,
                      scratch_path("colour.frag"));
         session_keep(0);
-        session_click(s * 97, s * 50); // the sample of the colour in its row
+        session_click(s * 97, s * 50); // the swatch in the row of the colour
         point(s * 400, s * 250);
         session_bounds(0, beside, box);
         assert_int_equal(box[2], s * 104);
@@ -238,9 +239,9 @@ SESSION_TEST(a_colour_is_picked)
         const int left = box[0], top = box[1];
         session_click(left + 7 * s, top + 7 * s);
         session_assert_title("tint = 1,1,1");
-        drag(left + 40 * s, top + 40 * s, s * 160, s * -80); // beyond its square
+        drag(left + 40 * s, top + 40 * s, s * 160, s * -80); // beyond the picker's square
         session_assert_title("tint = 1,0");
-        session_click(left + 91 * s, top + 31 * s); // on its bar
+        session_click(left + 91 * s, top + 31 * s); // on the picker's bar
         session_assert_title("tint = 0");
         assert_non_null(strstr(user.title, ",1"));
         session_key(GLFW_KEY_ESCAPE);
@@ -252,7 +253,7 @@ SESSION_TEST(a_colour_is_picked)
     }
 }
 
-// A panel is darker than the white picture behind it.
+// Check whether the panel is at a position. The panel is darker than the white picture behind it.
 static void assert_panel(int x, int y, bool there)
 {
     struct image image;
@@ -270,13 +271,13 @@ SESSION_TEST(the_panel_moves_folds_and_helps)
     session_keep(0);
     point(60, 50);
     session_wait(2.0);
-    assert_true(session_off(0, NULL) > 0.001); // help for the row
+    assert_true(session_off(0, NULL) > 0.001); // the row's help is shown
     user.calls.entered(NULL, GLFW_FALSE);      // the pointer leaves the window
     session_wait(0.5);
     assert_true(session_off(0, (const int[]){0, 44, 480, 226}) <= 0.0);
     user_click(60, 98, GLFW_MOUSE_BUTTON_LEFT);
     for (int i = 0; i < 3; i++) {
-        user_drag(60, 110 + 12 * i, 200, 0); // white
+        user_drag(60, 110 + 12 * i, 200, 0); // makes the picture white
         session_turn();
     }
     point(400, 200);
@@ -284,7 +285,7 @@ SESSION_TEST(the_panel_moves_folds_and_helps)
     session_key(GLFW_KEY_O);
     assert_panel(20, 100, false);
     assert_panel(400, 100, true);
-    session_click(360, 62); // the panel still responds there
+    session_click(360, 62); // the panel responds at its new position
     session_assert_title("fine = ");
     session_key(GLFW_KEY_T);
     point(100, 200);
@@ -293,13 +294,13 @@ SESSION_TEST(the_panel_moves_folds_and_helps)
     session_key(GLFW_KEY_T);
     session_key(GLFW_KEY_O);
     assert_panel(20, 100, true);
-    drag(60, 16, 230, 0); // by its title, past the middle
+    drag(60, 16, 230, 0); // drag the panel by its title, past the middle of the window
     point(240, 200);
     assert_panel(400, 100, true);
     drag(400, 16, -170, 0);
     point(400, 200);
     assert_panel(20, 100, true);
-    int x = 250; // the mark of the title is at its right end
+    int x = 250; // the mark that folds the panel is at the right end of the title
     do {
         session_click(x -= 10, 20);
         point(400, 200);
@@ -310,7 +311,7 @@ SESSION_TEST(the_panel_moves_folds_and_helps)
 
 // ---- Shadertoy's mouse ----
 
-// The shader shows iMouse. The window looks the same if these numbers are written instead of it.
+// Check the value of iMouse: a shader that shows iMouse must look the same as one with this value.
 static void assert_mouse(const char *mouse)
 {
     char text[512];
@@ -335,8 +336,8 @@ SESSION_TEST(shadertoy_s_mouse_is_set)
     user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_PRESS);
     session_turn();
     assert_mouse("vec4(100.0, 120.0, 100.0, 120.0)");
-    // While the button is held, the last two numbers are the position of the press; from the next
-    // turn on, the last one is negative.
+    // While the button is held, the last two numbers are the position of the press. From the second
+    // frame on, the last number is negative.
     point(160, 150);
     assert_mouse("vec4(160.0, 50.0, 100.0, -120.0)");
     user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_RELEASE);

@@ -1,5 +1,5 @@
-// playback.c - one ray in the window, step by step: the slice, the plot and the picture show it as
-// the command line does, and it stays in space while the camera moves.
+// playback.c - tests one ray in the window, step by step: the slice, the plot and the picture show
+// the ray as the command line does, and the ray stays in space while the camera moves.
 #include "lib/session.h"
 #include "lib/system.h"
 
@@ -42,7 +42,7 @@ SESSION_TEST(a_click_prints_the_table_of_the_command_line)
     snprintf(told, sizeof told, "%s", session_said(1));
     session_key(GLFW_KEY_H);
     session_key(GLFW_KEY_H);
-    session_click(170, 70); // deselects it
+    session_click(170, 70); // deselects the ray
     assert_string_equal(session_said(1), "");
     assert_true(session_off(0, NULL) <= 0.0);
     session_close();
@@ -54,7 +54,7 @@ SESSION_TEST(a_click_prints_the_table_of_the_command_line)
     assert_memory_equal(table + 1, printed, strlen(printed));
 }
 
-SESSION_TEST(keys_lead_along_the_march)
+SESSION_TEST(keys_step_along_the_march)
 {
     char last[128], before[128];
     int steps = last_step();
@@ -72,7 +72,7 @@ SESSION_TEST(keys_lead_along_the_march)
     press_and_see(GLFW_KEY_Q, RAY " --view slice --step 0");
     press_and_see(GLFW_KEY_PAGE_DOWN, RAY " --view slice --step 1");
     press_and_see(GLFW_KEY_PAGE_UP, RAY " --view slice --step 0");
-    user.calls.key(NULL, GLFW_KEY_E, 0, GLFW_REPEAT, 0); // a key that is held
+    user.calls.key(NULL, GLFW_KEY_E, 0, GLFW_REPEAT, 0); // a held key repeats
     session_turn();
     session_assert_shown(CHAPTER, RAY " --view slice --step 1");
     press_and_see(GLFW_KEY_END, last);
@@ -80,23 +80,25 @@ SESSION_TEST(keys_lead_along_the_march)
     session_key(GLFW_KEY_HOME);
     session_key(GLFW_KEY_E);
     press_and_see(GLFW_KEY_6, RAY " --view plot --step 1");
-    session_key(GLFW_KEY_RIGHT); // the ray keeps its lens
+    session_key(GLFW_KEY_RIGHT); // the selected ray keeps its direction
     session_assert_title("focalLength = 2.1");
     session_assert_shown(CHAPTER, RAY " --view plot --step 1");
-    session_key(GLFW_KEY_HOME); // the first step, not the parameter's first value
+    session_key(GLFW_KEY_HOME); // goes to the first step and does not reset the parameter
     session_assert_title("focalLength = 2.1");
     session_key(GLFW_KEY_DELETE);
     session_assert_title("focalLength = 2");
     session_click(170, 70);
     session_assert_shown(CHAPTER, SESSION_STILL " --view plot");
-    press_and_see(GLFW_KEY_E, SESSION_STILL " --view plot --step 0"); // selects the middle pixel
+    // The key E selects the ray of the middle pixel.
+    press_and_see(GLFW_KEY_E, SESSION_STILL " --view plot --step 0");
     assert_non_null(strstr(session_said(1), "ray of pixel 160,100"));
     press_and_see(GLFW_KEY_X, SESSION_STILL " --view plot");
     session_close();
 }
 
-// A click on a line of the table goes to its step, and does not select the ray behind the table.
-SESSION_TEST(a_click_in_the_table_goes_to_its_step)
+// A click on a line of the table shows the step of that line, and does not select the ray of the
+// pixel behind the table.
+SESSION_TEST(a_click_in_the_table_shows_a_step)
 {
     const char *ray = "--size 640x360 --camera 1.65,1.6,3.4,-26,-23.5 --probe 400,200";
     const char *still = "--size 640x360 --camera 1.65,1.6,3.4,-26,-23.5 --overlay=1";
@@ -115,15 +117,15 @@ SESSION_TEST(a_click_in_the_table_goes_to_its_step)
     session_close();
 }
 
-// Only the height scales both axes: pixel 270,149 of 320x200 and 405,224 of 480x300 show the same
-// point.
+// Both axes are scaled with the picture's height, so pixel 270,149 of 320x200 and pixel 405,224 of
+// 480x300 show the same point.
 SESSION_TEST(a_ray_outlives_a_new_size)
 {
     session_open_bare(CHAPTER, SESSION_STILL " --view plot");
     session_click(270, 50);
     session_key(GLFW_KEY_HOME);
     session_keep(0);
-    for (int width = 321; width < 330; width++) { // rounding errors do not add up
+    for (int width = 321; width < 330; width++) { // rounding errors must not accumulate
         user_resize(width, 200);
         session_turn();
     }
@@ -132,7 +134,7 @@ SESSION_TEST(a_ray_outlives_a_new_size)
                                   "--probe 405,224 --step 0");
     user_resize(320, 200);
     assert_true(session_off(0, NULL) <= 0.0);
-    user_resize(180, 200); // the picture no longer has this pixel: the ray is deselected
+    user_resize(180, 200); // the picture no longer contains the pixel, so the ray is deselected
     session_assert_shown(CHAPTER, "--size 180x200 --camera 1.65,1.6,3.4,-26,-23.5 --view plot");
 }
 
@@ -142,7 +144,7 @@ SESSION_TEST(a_ray_stays_in_space)
     snprintf(slice, sizeof slice, RAY " --view slice --step %d", last_step());
     session_open_bare(CHAPTER, SESSION_STILL);
     session_click(170, 70);
-    session_key(GLFW_KEY_H); // the cross on its pixel, and a dot in it at a step
+    session_key(GLFW_KEY_H); // shows the cross on the ray's pixel, with a dot in it at a step
     session_keep(1);
     session_key(GLFW_KEY_HOME);
     assert_true(session_off(1, (const int[]){168, 68, 5, 5}) > 0.0);
@@ -157,7 +159,7 @@ SESSION_TEST(a_ray_stays_in_space)
     press_and_see(GLFW_KEY_5, slice);
     session_keep(0);
     session_click(170, 70);
-    session_click(170, 70); // the ray of the camera as it is now
+    session_click(170, 70); // selects the ray from the camera's new position
     assert_true(session_off(0, NULL) > 0.01);
 }
 
@@ -174,8 +176,8 @@ SESSION_TEST(a_slice_follows_what_moves)
     assert_true(session_off(0, NULL) <= 0.0);
 }
 
-// The lamp moves: the normals stay the same, but the march of the shadow ray changes.
-SESSION_TEST(the_inspector_counts_what_moves)
+// The lamp moves, so the march of the shadow ray changes, but the normals stay the same.
+SESSION_TEST(the_inspector_follows_what_moves)
 {
     session_open("03_shadows", "--size 640x360 --view normals");
     const int below[4] = {0, 46, 640, 314};
@@ -189,7 +191,7 @@ SESSION_TEST(the_inspector_counts_what_moves)
     assert_true(session_off(0, below) > 0.0);
 }
 
-// The handle aim of chapter 10 follows the pointer: half the picture's height shows 1.2 units.
+// Chapter 10's handle aim follows the pointer. Half the picture's height shows 1.2 units.
 SESSION_TEST(a_handle_is_dragged)
 {
     const char *options = "--size 320x200 --camera 0,0,2.4,0,0";
@@ -198,7 +200,7 @@ SESSION_TEST(a_handle_is_dragged)
     session_key(GLFW_KEY_T); // the panel would cover the handle
     user_drag(from[0], from[1], 30.0, -25.0);
     session_turn();
-    session_key(GLFW_KEY_H); // the marks are hidden, and the aim stays
+    session_key(GLFW_KEY_H); // hides the marks of the handles; aim keeps its value
     session_assert_shown("10_distance_in_the_plane", "%s --set aim=%.3f,%.3f", options,
                          -0.45 + 30.0 / unit, -0.06 + 25.0 / unit);
 }

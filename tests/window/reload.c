@@ -1,5 +1,5 @@
-// reload.c - files that are saved while their window is open: shaders, their includes, textures,
-// and both shaders of a comparison.
+// reload.c - tests files that are saved while their window is open: shaders, their includes,
+// textures, and both shaders of a comparison.
 #include "lib/scratch.h"
 #include "lib/session.h"
 
@@ -46,8 +46,8 @@ static void assert_colour(int red, int green)
     image_free(&image);
 }
 
-// Nothing is loaded; one message says why, the picture keeps its colour and the overlay shows the
-// error.
+// Check that a saved file is refused: nothing is loaded, a message says why just once, the picture
+// keeps its colour, and the title bar and the overlay show the error.
 static void assert_refused(const char *why, int red, int green)
 {
     session_keep(0);
@@ -76,7 +76,7 @@ SESSION_TEST(a_saved_shader_is_loaded)
     assert_int_equal(reloads("mine.frag"), 1);
     assert_false(session_titled("error"));
     assert_colour(255, 255);
-    char bomb[4096] = "#define A0 1.0\n"; // it would take all the driver's memory
+    char bomb[4096] = "#define A0 1.0\n"; // expanding A28 would use all the driver's memory
     for (int i = 1; i <= 28; i++)
         snprintf(bomb + strlen(bomb), sizeof bomb - strlen(bomb), "#define A%d A%d + A%d\n", i,
                  i - 1, i - 1);
@@ -115,7 +115,7 @@ SESSION_TEST(parameters_follow_the_file)
     session_close();
 }
 
-// A picture of one grey.
+// Save a picture in a single shade of grey.
 static void save_texture(const char *name, int grey)
 {
     struct image image;
@@ -151,7 +151,7 @@ SESSION_TEST(a_saved_texture_is_loaded)
     assert_refused("stone.png", 64, 191);
     save_texture("stone.png", 191);
     assert_int_equal(reloads("mine.frag"), 1);
-    save_texture("second.png", 64); // the one given with --texture
+    save_texture("second.png", 64); // the texture given with --texture
     assert_int_equal(reloads("mine.frag"), 1);
     assert_colour(191, 64);
     session_close();

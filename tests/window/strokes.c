@@ -1,5 +1,5 @@
-// strokes.c - the clay of chapter 23 under the pointer: a drag with the tool changes it, and the
-// printed option draws the same picture.
+// strokes.c - tests the sculpting of chapter 23: a drag with the tool changes the clay, and the
+// option that is printed draws the same picture.
 #include "lib/session.h"
 
 #define CHAPTER "23_stored_distances"
@@ -33,7 +33,7 @@ static void assert_drawn_again(const char *tool)
     const char *option = let_go();
     assert_int_equal(strncmp(option, "--stroke ", 9), 0);
     assert_true(session_off(0, NULL) > 0.002);
-    session_wait(1.0); // until it is sharp
+    session_wait(1.0); // until the picture is sharp
     session_assert_shown(CHAPTER, OPTIONS "%s %s", tool, option);
     session_close();
 }
@@ -59,7 +59,7 @@ SESSION_TEST(strokes_are_taken_back)
     session_key(GLFW_KEY_U);
     session_wait(1.0);
     session_assert_shown(CHAPTER, OPTIONS "0");
-    session_key(GLFW_KEY_U); // there is none left
+    session_key(GLFW_KEY_U); // there is no stroke left
     session_close();
 }
 
@@ -77,7 +77,7 @@ SESSION_TEST(a_stroke_that_is_being_made_is_not_taken_back)
     session_close();
 }
 
-SESSION_TEST(shift_takes_back_those_of_the_command_line_too)
+SESSION_TEST(shift_u_also_takes_back_strokes_of_the_command_line)
 {
     session_open_bare(CHAPTER, OPTIONS "0.06 --stroke 0.09,-0.36,0.06,-0.38,-0.37,-0.14,-0.25");
     session_shift_key(GLFW_KEY_U);
@@ -86,7 +86,7 @@ SESSION_TEST(shift_takes_back_those_of_the_command_line_too)
     session_close();
 }
 
-// Beside the clay, and with the tool put away, a drag turns the view.
+// A drag turns the camera if it starts beside the clay or if the tool is set to 0.
 SESSION_TEST(a_drag_beside_the_clay_looks_around)
 {
     sculpt("0");

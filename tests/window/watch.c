@@ -1,5 +1,5 @@
-// watch.c - a change of a file is reported once, after it is complete, and only for watched
-// files.
+// watch.c - tests that a change to a file is reported once, after it is complete, and only for
+// watched files.
 #include "lib/test.h"
 #include "window/watch.h"
 #include "lib/scratch.h"
@@ -52,7 +52,7 @@ TEST_WITH(a_change_is_reported_once, set_up, tear_down)
     assert_int_equal(looks(), MANY);
 }
 
-TEST_WITH(what_is_still_written_waits, set_up, tear_down)
+TEST_WITH(a_file_that_is_still_being_written_is_not_reported, set_up, tear_down)
 {
     static const char text[] = "a text that is written letter by letter";
     char part[sizeof text] = "";
@@ -64,8 +64,8 @@ TEST_WITH(what_is_still_written_waits, set_up, tear_down)
     assert_int_equal(looks(), 1);
 }
 
-// An editor that removes or empties the file before it writes it again.
-TEST_WITH(a_file_that_is_missing_is_waited_for, set_up, tear_down)
+// Some editors remove or empty a file before they write it again.
+TEST_WITH(a_missing_file_is_reported_only_after_a_while, set_up, tear_down)
 {
     for (int emptied = 0; emptied < 2; emptied++) {
         if (emptied)

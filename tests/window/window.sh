@@ -1,14 +1,14 @@
 #!/bin/bash
-# window.sh - one window on a real X server, with real events: what tests/window/*.c, which simulate the user and GLFW's
-# clock, cannot test. No clock decides: every wait is for an event and lasts at most a minute, and the first wait that
-# fails ends the suite.
+# window.sh - tests one window on a real X server, with real events, which tests/window/*.c cannot do, because they
+# simulate the user and GLFW's clock. No result depends on a clock: every wait is for an event and lasts at most a
+# minute, and after the first wait that fails, all others fail at once.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 . tests/lib/window.sh
 
 save "$good"
-# shellcheck disable=SC2086 # options are words
+# shellcheck disable=SC2086 # the options are separate words
 if ! start $chapter $still --shader "$mine"; then
     sed 's/^/# /' "$scratch/run/err"
     echo "# window ${window:-none}; all windows:"
@@ -19,34 +19,34 @@ if ! start $chapter $still --shader "$mine"; then
     exit
 fi
 ok 'a window opens'
-check 'the title names file, view and parameter' titled 'mine.frag - '
+check 'the title bar names the file' titled 'mine.frag - '
 first() { key h && shoot_as first && render expected && matches expected first && eventually shown first; }
-check 'the window and its screenshot are what -o writes with the same options' first
+check 'the window and its screenshot show the picture that -o writes with the same options' first
 views() { key 2 && shows ' - normals - ' && render view -v normals && eventually shown view && key 1 && shows ' - picture - '; }
-check 'a key shows the normals' views
+check 'key 2 shows the normals, and key 1 the picture' views
 drag() {
     xdotool mousemove --window "$window" 100 100 mousedown 1 mousemove_relative 60 0 \
         mousemove_relative -- 0 -40 mouseup 1 &&
         shoot_as dragged && render wanted -c 1.65,1.6,3.4,-17,-17.5 && matches wanted dragged
 }
-check 'dragging right and up turns right and up, 0.15 degree a pixel' drag
+check 'dragging right and up turns the camera right and up, by 0.15 degrees per pixel' drag
 wheel() { xdotool mousemove --window "$window" 100 100 click 4 && shows 'focalLength = 2.2' && xdotool click 5 && shows 'focalLength = 2'; }
-check 'the wheel zooms, and back' wheel
-# If the system is just moving the captured pointer to the middle, the first move can get lost.
+check 'the wheel zooms in and out' wheel
+# While the system moves the captured pointer to the middle, the first movement can get lost.
 swings() { xdotool mousemove_relative 30 0 && shoot_as captured && differ before captured; }
 captured() { key m && xdotool mousemove_relative 4 0 && shoot_as before && eventually swings; }
-check 'M captures the pointer: it looks without a button' captured
+check 'M captures the pointer, which then turns the camera without a button' captured
 freed() { key m && shoot_as freed && xdotool mousemove_relative 20 20 && shoot_as still && same freed still; }
-check 'M again frees it' freed
-check 'W moves' walk w
+check 'M again frees the pointer' freed
+check 'W moves the camera' walk w
 rests() { shoot_as rest && same there rest; }
-check 'and its release stops' rests
-# Show the desktop: the window loses the focus while the key is down, and never hears of its release.
+check 'releasing W stops the camera' rests
+# Show the desktop while the key is down: the window loses the focus and is not told that the key is released.
 forgets() {
     xdotool keydown w sleep 0.1 && wmctrl -k on && eventually unfocused && xdotool keyup w && wmctrl -k off &&
         xdotool windowactivate "$window" && eventually focused && shoot_as a && shoot_as b && same a b
 }
-check 'lost focus releases the keys that are held' forgets
+check 'losing the focus releases the keys that are held' forgets
 returns() { key shift+r && shoot_as again && same first again; }
 check 'Shift+R resets the camera' returns
 
@@ -62,39 +62,39 @@ full_screen() {
     key F11 && eventually size_is 1280x1024 && key F11 && eventually rectangle_is "$before"
 }
 check 'F11 fills the screen, and F11 again restores position and size' full_screen
-goes() { # X Y: the window manager moves the window there
+goes() { # X Y: ask the window manager to move the window to this position
     local before
     before=$(rectangle)
     xdotool windowmove "$window" "$1" "$2" && eventually moved_from "$before"
 }
-uncovered() { goes -200 50 && goes 300 300 && eventually shown first; } # what lies beyond the edge of the screen is lost
-check 'what was covered is shown again' uncovered
+uncovered() { goes -200 50 && goes 300 300 && eventually shown first; } # the part beyond the edge of the screen is lost
+check 'a part of the window that was outside the screen is shown again' uncovered
 resize() { wmctrl -i -r "$window" -e 0,-1,-1,300,300 && eventually size_is 300x300 && render wanted -s 300x300 && eventually shown wanted; }
-check 'another size keeps the aspect' resize
+check 'a window of another size shows the picture undistorted' resize
 
-# ---- A save ----
+# ---- A saved file ----
 
 reloaded() {
     save "${good/const vec3 SKY = vec3(/const vec3 SKY = 0.5 * vec3(}" && eventually says out ': reloaded' &&
         render wanted -s 300x300 -f "$mine" && eventually shown wanted
 }
 check 'a saved shader is reloaded' reloaded
-check 'nothing was reported' [ ! -s "$scratch/run/err" ]
+check 'the program has reported nothing' [ ! -s "$scratch/run/err" ]
 asked() { wmctrl -i -c "$window" && ends_well; }
 check 'a close request closes the window with status 0' asked
 
-# ---- Other things that only a real system has ----
+# ---- A French keyboard ----
 
 if ! command -v setxkbmap >/dev/null; then
     skip 'a French keyboard' 'no setxkbmap on this machine'
 else
     setxkbmap fr
-    # shellcheck disable=SC2086 # options are words
+    # shellcheck disable=SC2086 # the options are separate words
     start $chapter $still && key h
     frenchwalk() { walk z && xdotool keydown w sleep 0.15 keyup w && shoot_as a && same there a; }
-    check 'AZERTY: Z, in the place of W, moves; W, in the place of Z, does not' frenchwalk
+    check 'AZERTY: Z, at the position of W, moves the camera; W, at the position of Z, does not' frenchwalk
     digit() { xdotool key eacute && shows ' - normals - ' && key Down && shows 'normalStep'; }
-    check 'AZERTY: the 2 key shows the normals' digit
+    check 'AZERTY: the key of the digit 2 shows the normals' digit
     setxkbmap us
     check 'Backspace closes the window with status 0' backspace
 fi
@@ -104,19 +104,19 @@ fi
 printf '01 -c 1.65,1.6,3.4,-26,-23.5\n  The picture.\n01 -c 1.65,1.6,3.4,-26,-23.5 -v normals\n  Its normals.\n' >"$scratch/list.txt"
 start lecture "$scratch/list.txt"
 check 'a lecture fills the screen' eventually size_is 1280x1024
-# Twice H: the panel, then the picture alone.
+# The first H shows the panel, the second only the picture.
 paged() {
     key Next && shows ' - normals - ' && key h h && render wanted -s 1280x1024 -v normals && eventually shown wanted &&
         key Prior && shows ' - picture - '
 }
-check 'Page Down leads to the next scene, and Page Up back' paged
+check 'Page Down shows the next scene, and Page Up the one before' paged
 check 'Backspace ends the lecture' backspace
 
-# Where coordinates are pixels, as on Windows and X11, a dense display makes the window itself larger.
+# Where coordinates are in pixels, as on Windows and X11, the window itself is larger on a dense display.
 xprop -root -format RESOURCE_MANAGER 8s -set RESOURCE_MANAGER 'Xft.dpi: 192'
 start $chapter -s 160x100 -c 1.65,1.6,3.4,-26,-23.5 && key h
 check 'a window on a display of 192 dots per inch is twice as wide and high' eventually shown expected
-check 'Backspace closes it' backspace
+check 'Backspace closes the window on a dense display' backspace
 xprop -root -remove RESOURCE_MANAGER
 
 printf '%s\n' '#include "main.glsl"' 'uniform sampler2D stone; // "granite.png" sRGB repeat: a picture' \
@@ -128,7 +128,7 @@ hidden_window() {
     "$BUILD/$chapter" -s 160x90 -f "$scratch/both.frag" -o "$scratch/egl.png" &&
         "$BUILD/$chapter" -s 160x90 -f "$scratch/both.frag" -b glfw -o "$scratch/glfw.png" && same egl glfw
 }
-check 'a hidden window and no window read bit for bit the same textures' hidden_window
+check 'textures are the same, bit for bit, with a hidden window and without a window' hidden_window
 
 close_window
 plan

@@ -1,16 +1,16 @@
 #!/bin/bash
-# own.sh - peculiarities of Windows: names outside any code page, a file that another program holds open, line ends,
-# capital letters, the console. Called by run.sh.
+# own.sh - tests peculiarities of Windows: names outside any code page, a file that another program has open, line ends,
+# capital letters and the console. It is called by run.sh.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 open_scratch
-export LC_ALL=C.UTF-8 # bash passes names on unchanged
+export LC_ALL=C.UTF-8 # with it, bash passes names on unchanged
 : "${loader:?run.sh sets it}"
 
 small=(-s 64x36)
 picture() { "$BUILD/03_shadows" "${small[@]}" "$@" >"$scratch/said" 2>"$scratch/why"; }
-# refused PATTERN COMMAND...: the command fails and prints one line, which matches the pattern.
+# refused PATTERN COMMAND...: succeeds if the command fails and its only message matches the pattern.
 refused() {
     local pattern=$1
     shift
@@ -26,26 +26,26 @@ alike() { build/tests/compare "$scratch/wanted.png" "$1" >"$scratch/numbers" || 
 strange="$scratch/Élève 1 – мир 漢字 𝄞"
 mkdir "$strange"
 named() { picture -o "$strange/ночь é.png" && alike "$strange/ночь é.png"; }
-check 'a picture with a name outside any code page' named
+check 'a picture is written to a path outside any code page' named
 cp chapters/03_shadows.frag "$strange/ombre à midi.frag"
 own_shader() { picture -f "$strange/ombre à midi.frag" -o "$strange/a.png" && alike "$strange/a.png"; }
-check 'a shader with such a name' own_shader
+check 'a shader is read from a path outside any code page' own_shader
 printf 'x\n' >>"$strange/ombre à midi.frag"
 names_it() { ! picture -f "$strange/ombre à midi.frag" -o "$strange/b.png" && grep -q 'Élève 1 – мир 漢字 𝄞/ombre à midi.frag:[0-9]*: error' "$scratch/why"; }
-check 'an error prints this name unchanged' names_it
+check 'an error message shows a path outside any code page unchanged' names_it
 deep=$strange
 for number in 1 2 3 4 5 6; do deep="$deep/un dossier profond au nom assez long, n° $number"; done
 mkdir -p "$deep"
 cp chapters/03_shadows.frag "$deep/profond.frag"
 far_down() { [ "${#deep}" -gt 260 ] && picture -f "$deep/profond.frag" -o "$deep/profond.png" && alike "$deep/profond.png"; }
-check 'files whose path is longer than 260 characters' far_down
+check 'files are read and written at paths longer than 260 characters' far_down
 backslashes() {
     # shellcheck disable=SC1003 # as Windows' shell would pass it on
     (cd "$strange" && "$root/$BUILD/03_shadows" "${small[@]}" --root 'Z:'"${root//\//\\}" -o '.\c.png') && alike "$strange/c.png"
 }
-check "paths in Windows' notation" backslashes
+check "paths in Windows' notation are accepted" backslashes
 
-# The programs as they are distributed, with the line ends of a checkout that git or an editor has changed.
+# Copy the programs as they are distributed, and the shaders with Windows' line ends, as git or an editor writes them.
 mkdir "$strange/course"
 cp build/windows/03_shadows.exe build/windows/*.dll "$strange/course" 2>/dev/null
 cp -R shaders "$strange/course" && mkdir "$strange/course/chapters" && cp chapters/*.frag chapters/*.glsl "$strange/course/chapters"
@@ -53,13 +53,13 @@ find "$strange/course" -name '*.frag' -o -name '*.glsl' -o -name '*.vert' | whil
     awk '{ printf "%s\r\n", $0 }' "$file" >"$scratch/lines" && cp "$scratch/lines" "$file"
 done
 elsewhere() { "$loader" "$strange/course/03_shadows.exe" "${small[@]}" -o "$strange/d.png" && alike "$strange/d.png"; }
-check "a course in such a folder, with Windows' line ends" elsewhere
+check "a course with Windows' line ends works in a folder outside any code page" elsewhere
 
 printf '#include "Main.glsl"\n' >"$scratch/letters.frag"
-check 'an include whose capitals differ' refused 'letters.frag:1: #include "Main.glsl": the name on disk is main.glsl' \
+check 'an include with other capitals is refused' refused 'letters.frag:1: #include "Main.glsl": the disk has it as main.glsl' \
     picture -f "$scratch/letters.frag" -o "$scratch/letters.png"
 
-# ---- A file that another program holds open ----
+# ---- A file that another program has open ----
 
 # held FILE REDIRECTION COMMAND...: run a command while a Windows program has the file open.
 held() {
@@ -82,20 +82,20 @@ held() {
 }
 cp chapters/03_shadows.frag "$scratch/edited.frag"
 read_it() { held "$scratch/edited.frag" '>>' picture -f "$scratch/edited.frag" -o "$scratch/e.png" && alike "$scratch/e.png"; }
-check 'a shader that an editor holds open' read_it
+check 'a shader that an editor has open can be read' read_it
 picture -o "$scratch/shown.png"
 cp "$scratch/shown.png" "$scratch/before.png"
 not_written() { held "$scratch/shown.png" '>>' refused 'shown.png: cannot be written' picture -s 32x18 -o "$scratch/shown.png"; }
 check 'a picture that another program is writing is not replaced' not_written
 stays() { cmp "$scratch/shown.png" "$scratch/before.png" && [ -z "$(find "$scratch" -name '*.tmp')" ]; }
-check 'and this picture is unchanged' stays
+check 'a picture that another program is writing is unchanged, and no temporary file is left' stays
 
 # ---- The console ----
 
-check 'an error is one line' refused 'unknown option' picture --nothing
+check 'an error message is one line' refused 'unknown option' picture --nothing
 bytes() { picture --list && [ -s "$scratch/said" ] && ! grep -q $'\r' "$scratch/said" "$scratch/why"; }
 check 'output has the same line ends as on other systems' bytes
-# The text takes several writes. The first fails, and the reason is requested only after the others.
+# The text takes several writes. The first of them fails, but the reason is requested only after the others.
 first_line() {
     for _ in 1 2 3; do
         "$BUILD/03_shadows" --print-shader 2>"$scratch/why" | head -n 1 >"$scratch/said"
@@ -105,5 +105,5 @@ first_line() {
         fi
     done
 }
-check 'a reader of only the first line of a long text gets no error message' first_line
+check 'reading only the first line of a long text causes no error message' first_line
 plan

@@ -1,13 +1,14 @@
 #!/bin/bash
-# run.sh [PART...|NAME...] - `make test-windows`: the programs and the tests that were built for Windows, run by Wine
-# in a virtual display, over the software renderer. Parts: units, pictures, suites and windows; own and zip, and all
-# others, are suites by name. By default: the chapters' own pictures, the failures and the peculiarities of Windows;
-# with ALL=1, all of them. The suites are those of `make test`. They find scripts in build/wine/ that pass their
-# arguments on to the programs for Windows, whose only backend is GLFW. tests/run runs them and adds up their time,
-# without that of Wine's server and Xvfb; a test that is skipped must be listed in tests/lib/skipped.txt.
+# run.sh [PART...|NAME...] - `make test-windows`: runs the tests that were built for Windows, and tests the programs
+# that were built for Windows, with Wine on a virtual display and the software renderer. PART is units, pictures, suites
+# or windows; NAME is any single suite, such as own or zip. By default, it tests the chapters' own pictures, the
+# failures and the peculiarities of Windows; with ALL=1, it runs all suites. The suites are those of `make test`. They
+# find scripts in build/wine/ that pass their arguments on to the programs for Windows, whose only backend is GLFW.
+# tests/run runs the suites and adds up their time, without that of Wine's server and Xvfb; a test that is skipped must
+# be listed in tests/lib/skipped.txt.
 set -u
-# Wine needs a certain range of memory. If the kernel randomises addresses, one start in several thousand finds its heap
-# there and fails. Here addresses are not randomised, if that is allowed.
+# Wine needs a certain range of addresses. If the kernel randomises addresses, one start in several thousand finds its
+# heap in this range and fails, so this script turns the randomisation off, if that is allowed.
 if [ -z "${SCATTERED-}" ] && setarch -R true 2>/dev/null; then
     SCATTERED=no exec setarch -R "$0" "$@"
 fi
@@ -17,9 +18,10 @@ export LC_ALL=C.UTF-8
 loader=/usr/lib/wine/wine64
 [ -x "$loader" ] || loader=$(command -v wine) || { echo 'make: test-windows: no Wine on this machine' >&2; exit 1; }
 export loader
-# At each start Wine searches for the time zone in its list of all zones: this one is the first.
+# At each start, Wine searches for the time zone in its list of all zones, so this is the first zone in that list.
 export TZ=AFT-4:30
-export WINEPREFIX=$PWD/build/windows/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml=' # Wine must not install Mono and Gecko first
+# The overrides keep Wine from installing Mono and Gecko first.
+export WINEPREFIX=$PWD/build/windows/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml='
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe PROJECT_ROOT=$PWD CMOCKA_MESSAGE_OUTPUT=TAP
 export BUILD=build/wine SYSTEM=Windows
 unset WAYLAND_DISPLAY LOCPATH
@@ -28,20 +30,21 @@ at_once=$PWD/build/wine/exit_at_once.so
 export at_once SKIPPED=windows
 end_wine() { wineserver -k 2>/dev/null; wineserver -w; }
 
-# ---- One suite: what tests/run calls ----
+# ---- One suite, as tests/run calls it ----
 
-# Wine's desktop belongs to one display, so a suite that opens another display cannot share a running Wine. It has its
-# own.
+# Wine's desktop belongs to one display, so a suite that opens another display cannot share a running Wine. It gets a
+# copy of Wine's folder and a separate Wine.
 own_wine() { # NAME
     local copy=$WINEPREFIX-$1
-    rm -rf "$copy" && cp -RPl "$WINEPREFIX" "$copy" && export WINEPREFIX=$copy # a drive there is a link to the whole disk
+    # The option -P is needed, because a drive in the folder is a link to the whole disk.
+    rm -rf "$copy" && cp -RPl "$WINEPREFIX" "$copy" && export WINEPREFIX=$copy
 }
 
 if [ "${1-}" = --suite ]; then
     unit=$(echo build/windows/tests/*/"$2".exe)
-    script=$(echo tests/[!l]*/"$2".sh) # not of tests/lib/
+    script=$(echo tests/[!l]*/"$2".sh) # not a script of tests/lib/
     case $2 in window | zip | images | failures) own_wine "$2" || exit; trap end_wine EXIT ;; esac
-    # One of the many programs of the suite export may crash without a message: let Wine print what it knows.
+    # One of the many programs of the suite export may crash without a message, so Wine must print its own messages.
     [ "$2" != export ] || export WINEDEBUG=err+all,fixme-all
     case $2 in
     own | zip) "tests/windows/$2.sh" ;;
@@ -56,7 +59,7 @@ if [ "${1-}" = --suite ]; then
     exit
 fi
 
-# ---- A display, and one Wine for all suites except those of windows ----
+# ---- A display, and the Wine that the other suites share ----
 
 rm -rf build/wine && mkdir -p build/wine/tests
 cc -shared -fPIC -o build/wine/exit_at_once.so tests/windows/exit_at_once.c || exit 1
@@ -86,8 +89,8 @@ for program in build/windows/[0-9]*.exe build/windows/tests/draw.exe build/windo
 done
 cp build/windows/flags build/wine/flags
 "$loader" wineboot -i >/dev/null 2>&1
-# Without gamepads, because their library leaves a thread running after GLFW closes it. Programs that a batch file
-# starts ignore WINEDLLOVERRIDES.
+# Disable gamepads, because their library leaves a thread running after GLFW closes it. This takes the registry, because
+# programs that are started by a batch file ignore WINEDLLOVERRIDES.
 cat >build/wine/overrides.reg <<'END_OF_REGISTRY'
 REGEDIT4
 
@@ -100,9 +103,9 @@ REGEDIT4
 END_OF_REGISTRY
 "$loader" regedit build/wine/overrides.reg >/dev/null 2>&1
 end_wine
-wineserver -p 2>/dev/null # it keeps running between two programs
+wineserver -p 2>/dev/null # the server keeps running between two programs
 
-# The suites of a part, the longest first; starting a program under Wine is mostly waiting.
+# Print the names of a part's suites, the longest first. Starting a program under Wine is mostly waiting.
 units() { for file in build/windows/tests/*/*.exe; do basename "$file" .exe; done; }
 named() { # PART|NAME
     case $1 in
@@ -119,7 +122,7 @@ if [ $# = 0 ] && [ -z "${ALL-}" ]; then
     set -- images failures own
 fi
 for part in "${@:-all}"; do named "$part"; done | awk '!seen[$0]++' >build/wine/suites
-# shellcheck disable=SC2046 # words
+# shellcheck disable=SC2046 # the names are separate words
 TEST_LIMIT=1800 tests/run $(sed 's,^,windows/,' build/wine/suites) &
 suites=$!
 wait "$suites"
