@@ -270,7 +270,7 @@ IN_PROJECT(test_names_in_another_case)
                    "main.frag:2: #include \"LEAF.glsl\": ", "the name on disk is leaf.glsl: ");
     scratch_write("root/shaders/deep/a.glsl", "a\n");
     system_make_link("deep", scratch_path("root/shaders/Deep"));
-    assert_refused("#include \"../shaders/Deep/a.glsl\"\n", "as deep/a.glsl: ");
+    assert_refused("#include \"../shaders/Deep/a.glsl\"\n", "is deep/a.glsl: ");
     assert_text("#include \"../shaders/deep/a.glsl\"\n",
                 "// #include \"../shaders/deep/a.glsl\"\na\n");
     if (system_make_link("deep", scratch_path("root/shaders/Keep")))

@@ -56,7 +56,7 @@ elsewhere() { "$loader" "$strange/course/03_shadows.exe" "${small[@]}" -o "$stra
 check "a course with Windows' line ends works in a folder outside any code page" elsewhere
 
 printf '#include "Main.glsl"\n' >"$scratch/letters.frag"
-check 'an include with other capitals is refused' refused 'letters.frag:1: #include "Main.glsl": the disk has it as main.glsl' \
+check 'an include with other capitals is refused' refused 'letters.frag:1: #include "Main.glsl": the name on disk is main.glsl' \
     picture -f "$scratch/letters.frag" -o "$scratch/letters.png"
 
 # ---- A file that another program has open ----
