@@ -9,8 +9,8 @@ int main(int argc, char **argv)
 {
     const struct chapter chapter = {
         .stem = "00_first_scene",
-        .title = "00 First scene (the camera turns by itself)",
-        .shows = "A sphere in the frame of a box: a whole ray marcher in one file.",
+        .title = "00 First scene (the camera moves by itself)",
+        .shows = "A sphere in the frame of a box: a complete ray marcher in one file.",
         .camera = {.position = {0.0f, 0.0f, 0.0f}},
     };
     return chapter_run(&chapter, argc, argv);

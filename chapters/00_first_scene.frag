@@ -1,6 +1,6 @@
 #version 330 core
 // A sphere in the frame of a box, and a camera that moves around them: a complete ray marcher in
-// one file, with the scene of the report's annex.
+// one file. The scene is based on the annex of the report that this course follows (see README.md).
 
 in vec2 FragCoord;  // the pixel's position: y from -1 to 1, x from -aspect to aspect
 in float Time;      // seconds

@@ -1,4 +1,4 @@
-// 02 Lighting: a lamp, a matt surface, and the light that comes back.
+// 02 Lighting: a lamp, a matt surface, and the light that the surface sends to the eye.
 //
 // The scene is a stage with a frame, balls and a block, under a warm, circling lamp and a cold,
 // fixed one. There are no shadows yet: the lamps shine through everything.
@@ -48,7 +48,8 @@ vec3 lampPosition()
     return vec3(4.2 * cos(angle), lampHeight, -4.2 * sin(angle));
 }
 
-// The light that one lamp adds: Lambert's law times the lamp's colour, weakened with distance.
+// The light that one lamp adds: Lambert's law times the lamp's colour. If falloff is set, the light
+// also weakens with distance.
 //   toLamp  vector from the surface to the lamp, scene units
 vec3 lampLight(vec3 normal, vec3 toLamp, vec3 colour)
 {
@@ -57,7 +58,7 @@ vec3 lampLight(vec3 normal, vec3 toLamp, vec3 colour)
     return colour * weakened * lambert(normal, toLamp / distance);
 }
 
-// All the light that arrives at a point: the sum over the lamps, and the ambient light.
+// All the light that arrives at a point: the light of both lamps plus the ambient light.
 vec3 receivedLight(vec3 p, vec3 normal)
 {
     return ambient + lampLight(normal, lampPosition() - p, lampColour) +

@@ -23,9 +23,9 @@ const float FAR = 40.0;                           // a ray that has travelled th
 const vec3  LOW = vec3(-2.65, -0.25, -2.25);      // opposite corners of a box that contains the scene
 const vec3  HIGH = vec3(2.65, 2.45, 2.25);
 
-// The light of chapter 02, in linear RGB. Its parameters are constants here.
-const vec3  LAMP_COLOUR = vec3(1.0, 0.72, 0.45);  // of the circling lamp
-const vec3  COLD_COLOUR = vec3(0.06, 0.14, 0.3);  // of the second lamp, which casts no shadow
+// The light of chapter 02, in linear RGB. Its parameters in that chapter are constants here.
+const vec3  LAMP_COLOUR = vec3(1.0, 0.72, 0.45);  // light of the circling lamp at the reference distance
+const vec3  COLD_COLOUR = vec3(0.06, 0.14, 0.3);  // light of the second lamp, which casts no shadow
 const vec3  COLD_LAMP = vec3(-5.0, 3.0, 4.0);     // position of the second lamp
 const float REFERENCE = 6.0;                      // distance at which a lamp's light equals its colour, scene units
 const vec3  AMBIENT = vec3(0.012, 0.02, 0.035);   // light that comes from all directions
@@ -47,7 +47,7 @@ float sceneDistance(vec3 p)
     return min(min(min(stage, frame), min(inside, above)), min(resting, block));
 }
 
-// The room of the camera, which stops 0.15 scene units in front of the scene.
+// The room around a camera at p, which must stay 0.15 scene units away from the scene.
 float cameraRoom(vec3 p)
 {
     return sceneDistance(p) - 0.15;
@@ -82,7 +82,7 @@ float visibility(vec3 p, vec3 normal, vec3 toLight, float distance)
     return lightReaching(ray, shadows ? far : 0.0, hitThreshold, maxSteps);
 }
 
-// The warm light, from the lamp's position or from a direction that is the same for every point.
+// The light of the circling lamp. If sun is set, it comes from the same direction at every point.
 vec3 warmLight(vec3 p, vec3 normal)
 {
     vec3 toLamp = sun ? lampPosition() : lampPosition() - p;

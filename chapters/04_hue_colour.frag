@@ -1,4 +1,4 @@
-// 04 Hue and combination: every solid has a hue, and solids are made of solids.
+// 04 Hue and combination: colours come from hues, and solids are built from other solids.
 
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
@@ -24,7 +24,7 @@ const vec3  LOW = vec3(-3.25, -0.27, -3.25);       // opposite corners of a box 
 const vec3  HIGH = vec3(3.25, 1.6, 3.25);
 
 // The wheel, seen from above: x points right, z towards the viewer. A mirror's normal points to the
-// side that its fold keeps.
+// side that its fold leaves unchanged.
 const float RING = 2.5;                            // radius of the wheel, scene units
 const vec2  MIRROR_60 = vec2(0.8660254, -0.5);     // normal of the mirror at 60 degrees
 const vec2  MIRROR_30 = vec2(0.5, -0.8660254);     // normal of the mirror at 30 degrees
@@ -60,8 +60,8 @@ float dieDistance(vec3 q)
 }
 
 // Six balls alternate with six dice. Mirrors every 30 degrees fold every point into one wedge, with
-// a ball on one of its two mirrors and a die on the other. fromBall and fromDie are the point in
-// the coordinates of each: outwards from the axis of the wheel, upwards, and sideways.
+// a ball on one of its two mirrors and a die on the other. fromBall and fromDie are the point
+// relative to the ball and to the die: x points away from the axis of the wheel, y up, z sideways.
 float wheelDistance(vec3 p)
 {
     vec2 q = folded(folded(abs(p.xz), MIRROR_60), MIRROR_30);
@@ -70,7 +70,7 @@ float wheelDistance(vec3 p)
     return opUnion(sdSphere(fromBall, 0.4), dieDistance(fromDie));
 }
 
-// A round stage with a groove: the intersection of a cylinder and a slab, minus a ring.
+// A round stage with a groove: the intersection of a cylinder and a slab, minus a torus.
 float stageDistance(vec3 p)
 {
     vec2 q = vec2(length(p.xz), p.y);
@@ -113,9 +113,9 @@ float ballShare(vec3 p)
     if (operation == 0)
         return step(b, a); // the smaller distance forms the surface
     if (operation == 1)
-        return step(a, b); // the larger distance does
+        return step(a, b); // the larger distance forms the surface
     if (operation == 2)
-        return step(a, -b); // the larger of a and -b does
+        return step(a, -b); // the larger of a and -b forms the surface
     return smoothUnionShare(a, b, blend);
 }
 
@@ -150,8 +150,8 @@ vec3 skyLight(vec3 direction)
     return mix(vec3(0.006, 0.012, 0.026), vec3(0.060, 0.140, 0.180), pow(towards, 6.0));
 }
 
-// The light that arrives at p: that of the sun where it is visible, and that of the sky, which
-// gives more to a face that points up.
+// The light that arrives at p: the light of the sun where the sun is visible, and the light of the
+// sky, which is strongest on a face that points up.
 vec3 receivedLight(vec3 p, vec3 normal)
 {
     Ray ray = shadowRay(p, normal, SUN, 8.0 * hitThreshold);

@@ -1,4 +1,5 @@
-// Chapter 05: transformations. Objects are turned and twisted by evaluating them at another point.
+// Chapter 05: transformations. Objects are moved, turned and twisted by evaluating their distances
+// at another point.
 //
 // The page is docs/05_transforms.md.
 #include "../common/chapter.h"

@@ -1,5 +1,5 @@
-// 05 Transformations: objects are moved, turned and twisted by evaluating them at another point.
-// The scene is a sea with floating objects.
+// 05 Transformations: objects are moved, turned and twisted by evaluating their distances at
+// another point. The scene is a sea with floating objects.
 
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
@@ -19,16 +19,18 @@ uniform float sunAzimuth;   // -25 in [-180, 180] step 2, degrees: azimuth of th
 uniform int   maxSteps;     // 160 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.004 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
-const float FAR = 1000.0;                         // distance of the sky
-const vec3  LOW = vec3(-14.0, -0.125, -10.0);     // opposite corners of a box around waves of
-const vec3  HIGH = vec3(14.0, 0.125, 5.5);        // height 1; outside it the sea is flat
+const float FAR = 1000.0; // distance to the sky
+
+// Opposite corners of a box around the waves at waveHeight 1. Outside the box, the sea is flat.
+const vec3  LOW = vec3(-14.0, -0.125, -10.0);
+const vec3  HIGH = vec3(14.0, 0.125, 5.5);
 
 // The three waves: amplitudes, wave vectors (x and z), and angular speeds sqrt(9.81 |k|).
 const vec3  AMPLITUDE = vec3(0.060, 0.036, 0.024);
 const vec3  WAVE_X = vec3(0.45, -1.10, 1.90);
 const vec3  WAVE_Z = vec3(1.20, 1.70, 1.60);
 const vec3  WAVE_SPEED = vec3(3.55, 4.46, 4.94);
-const float STEEPEST = 0.210;                     // sum of amplitude times |k|, which bounds the slope
+const float STEEPEST = 0.210;                     // bound of the slope at waveHeight 1: sum of amplitude times |k|
 const float RING = 0.66;                          // radius of the ring, scene units
 const float RING_REACH = 1.5;                     // radius of the ball in which the ring is evaluated, in ring radii
 
@@ -55,10 +57,10 @@ vec2 seaSlope(vec2 xz)
 
 // ---- The floating objects and their poses ----
 
-// An object that moves up and down with the sea and lies parallel to the water at its position.
-//   xz       its position
-//   draught  height of its centre above the water
-//   turn     its rotation in still water
+// The pose of an object that moves up and down with the sea and tilts with the water below it.
+//   xz       horizontal position of the object
+//   draught  height of the object's centre above the water
+//   turn     rotation of the object in still water
 Pose afloat(vec2 xz, float draught, mat3 turn)
 {
     vec2 slope = seaSlope(xz);
@@ -93,8 +95,8 @@ Ray pixelRay(vec2 screen)
 
 // ---- The scene at that moment ----
 
-// The ring is a torus, twisted along y and scaled. The bound of the twist applies only near the
-// axis. Farther away, the distance to a ball around the ring replaces it.
+// The ring is a torus, twisted along y and scaled by RING. The stretch of the twist is bounded only
+// near the axis, so farther away the distance to a ball around the ring is used instead.
 float ringDistance(vec3 p)
 {
     vec3 q = seenFrom(now.ring, p) / RING;
@@ -103,7 +105,7 @@ float ringDistance(vec3 p)
     return RING * (ball > 0.2 ? ball : ring);
 }
 
-// Turning a ball does not change it, so only its position is needed.
+// A rotation does not change the distance to the ball, so only the ball's position is needed.
 float thingsDistance(vec3 p)
 {
     float ball = sdSphere(p - now.ball.position, 0.62);
@@ -150,7 +152,7 @@ vec3 colourAt(vec3 p)
     float cosine2 = ring.x * ring.x / dot(ring.xy, ring.xy); // squared cosine of the angle around the ring
     vec3 red = mix(vec3(0.75, 0.02, 0.01), vec3(0.8), smoothstep(0.34, 0.36, abs(cosine2 - 0.5)));
     vec3 yellow = mix(vec3(0.03), vec3(0.95, 0.55, 0.02), smoothstep(0.06, 0.07, abs(ball.y - 0.1)));
-    vec3 rim = smoothstep(0.34, 0.35, abs(crate)); // 1 for each axis along which a face is near: at an edge, for two
+    vec3 rim = smoothstep(0.34, 0.35, abs(crate)); // 1 for each axis whose face is near; near an edge, two are 1
     vec3 wood = mix(vec3(0.30, 0.14, 0.05), vec3(0.42, 0.24, 0.10), step(1.5, rim.x + rim.y + rim.z));
     vec3 colour = dot(ball, ball) < 0.42 ? yellow : red;
     return dot(crate, crate) < 0.7 ? wood : colour;
@@ -163,7 +165,7 @@ vec3 sunDirection()
     return normalize(rotationY(-radians(sunAzimuth)) * vec3(0.0, 0.18, -1.0));
 }
 
-// The sky in a direction: blue above, pale on the horizon, golden towards the sun.
+// The light of the sky from a direction: blue above, pale at the horizon, golden towards the sun.
 vec3 skyLight(vec3 direction, vec3 toSun)
 {
     float low = 1.0 / (1.0 + 5.0 * max(direction.y, 0.0));
@@ -173,7 +175,8 @@ vec3 skyLight(vec3 direction, vec3 toSun)
     return blue + vec3(0.62, 0.25, 0.04) * sun8 * low * low + vec3(0.55, 0.36, 0.14) * sun32;
 }
 
-// The light of the sun in the sky: a disc, or a wider spot in a mirror that is never quite smooth.
+// The light of the sun from a direction: a disc in the sky, or a wider spot in a reflection, because
+// no surface here is perfectly smooth.
 vec3 sunGlare(vec3 direction, vec3 toSun, bool mirrored)
 {
     float sun = max(dot(direction, toSun), 0.0);
@@ -193,8 +196,9 @@ vec3 deepLight(float height)
     return vec3(0.004, 0.040, 0.060) + vec3(0.0, 0.07, 0.06) * max(height / 0.12, 0.0);
 }
 
-// The normal of the sea: the waves of the march, and ripples that are too small for the march. Both
-// become flatter as the distance t grows, because waves smaller than a pixel would sparkle.
+// The normal of the sea, tilted by the waves that the march finds and by ripples that the march
+// leaves out. Waves and ripples become flatter as the distance t grows, because waves smaller than a
+// pixel would sparkle.
 vec3 waterNormal(vec2 xz, float t)
 {
     vec4 bent = 1.5 * sin(vec4(1.3, 2.1, -1.7, 0.9) * xz.x + vec4(-1.9, 1.1, 2.3, 2.7) * xz.y);
@@ -234,8 +238,8 @@ vec3 rayColour(Ray ray)
     Hit second = march(next, interval.x, interval.y, hitThreshold, maxSteps);
     vec3 q = next.origin + second.t * next.direction;
 
-    // The image in a mirror at this point, its share of the light, and the light of the object or
-    // the water.
+    // The mirrored image at this point, its share of the light, and the light of the object or the
+    // water.
     vec3 image = skyLight(mirrored, toSun) + sunGlare(mirrored, toSun, !sky);
     float share = schlickShare(max(dot(normal, -ray.direction), 0.0), 0.02);
     vec3 paint = colourAt(thing ? p : q);

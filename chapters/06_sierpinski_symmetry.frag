@@ -1,5 +1,5 @@
-// 06 Symmetry: a pyramid of 4^m tetrahedra made with 3 m folds, and a march with the footprint of a
-// pixel.
+// 06 Symmetry: a pyramid of 4^m tetrahedra made with 3 m folds, where m is the parameter levels, and
+// a march whose threshold grows with the footprint of a pixel.
 
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
@@ -12,7 +12,7 @@
 #include "shadow.glsl"     // shadowRay, shadowReach
 #include "bounds.glsl"     // boxInterval, intervalUnion
 
-uniform int   levels;       // 7 in [0, 10]: how often each tetrahedron is divided into four
+uniform int   levels;       // 7 in [0, 10]: how many times each tetrahedron is divided into four
 uniform float footprint;    // 1.5 in [0, 4] step 0.25, half pixels: how fast the threshold and the normal's step grow along the ray; 0 keeps them fixed
 uniform float tint;         // 0.5 in [0, 1] step 0.05: saturation of the colours that come from the folds
 uniform float sunElevation; // 28 in [1, 89] step 1, degrees: height of the sun above the horizon
@@ -68,7 +68,7 @@ vec2 pyramidInterval(Ray ray)
     return tetrahedronInterval(turned, SIZE + 1.7320508 * MARGIN);
 }
 
-// The interval in which a ray can hit anything.
+// The interval in which a ray can hit the scene.
 vec2 sceneInterval(Ray ray)
 {
     vec2 pyramid = pyramidInterval(ray);
@@ -76,10 +76,10 @@ vec2 sceneInterval(Ray ray)
     return intervalUnion(pyramid, slab);
 }
 
-// Two values that the first four levels of folds give for a point.
+// Two values that the first four levels of folds determine for a point.
 struct Trail {
     float address; // a binary fraction: the digit of a level is 1 if its folds move the point
-    float open;    // at most 1: each level reduces it, more for a point deeper in its tetrahedron
+    float open;    // at most 1: each level reduces it, by more if the point is deeper in the tetrahedron
 };
 
 Trail foldTrail(vec3 p)
@@ -125,8 +125,8 @@ vec3 sunDirection()
     return vec3(cos(elevation) * vec2(cos(azimuth), sin(azimuth)), sin(elevation)).xzy;
 }
 
-// The evening sky: blue above, a warm band above the horizon, which is warmest below the sun, and
-// haze below.
+// The evening sky: blue above, a warm band above the horizon, which is warmest towards the sun, and
+// haze below the horizon.
 vec3 skyLight(vec3 direction, vec3 toSun)
 {
     float facing = 0.5 + 0.5 * dot(direction, toSun);

@@ -56,7 +56,8 @@ float ballDistance(Lantern lantern)
 }
 
 // The distance to a frame of twelve round bars: the distance to the nearest edge of the box, minus
-// the radius of a bar. It is exact outside. Beside an edge, one of the three differences does not count.
+// the radius of a bar. It is exact outside the bars. Between the ends of the nearest edge, the
+// difference along that edge does not count.
 float frameDistance(Lantern lantern)
 {
     vec3 corner = abs(lantern.local) - lantern.size * BODY;
@@ -99,7 +100,7 @@ float cameraRoom(vec3 p)
 }
 
 // The light of the sky from a direction: an afterglow above the horizon. The mist has the same
-// light.
+// colour.
 vec3 skyLight(vec3 direction)
 {
     float low = exp(-6.0 * max(direction.y, 0.0));
@@ -109,8 +110,8 @@ vec3 skyLight(vec3 direction)
     return mix(ZENITH, HAZE, low) + low * low * (0.05 + 0.1 * towards + 0.55 * glow * glow) * GLOW;
 }
 
-// The light that a surface in the cell receives: that of its lantern, which fades out towards the
-// walls of the cell, and that of the dusk.
+// The light that a surface receives: the light of the lantern in its cell, which fades out towards
+// the walls of the cell, and the light of the dusk.
 vec3 receivedLight(Lantern lantern, vec3 normal)
 {
     float distance = length(lantern.local);
@@ -139,8 +140,8 @@ vec3 surfaceLight(Ray ray, vec3 p, bool found)
     return ball ? ballLight(lantern, abs(dot(normal, ray.direction))) : matt;
 }
 
-// The lanterns hang in a slab of air, which a ray crosses from start to end; below it is the
-// ground.
+// The lanterns hang in a slab of air, which a ray crosses from start to end. The ground is below
+// the slab.
 vec3 rayColour(Ray ray)
 {
     vec2 slab = (vec2(LOW, HIGH) - ray.origin.y) / ray.direction.y;

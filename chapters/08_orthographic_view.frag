@@ -12,24 +12,24 @@ uniform float framingDistance; // 9.5 in [1, 40] step 0.5, scene units: from the
 uniform int   maxSteps;        // 128 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;    // 0.001 in [0.0001, 0.016] step *2, scene units: distance that counts as a hit
 
-const vec3  LOW = vec3(-1.3, -0.4, -4.8); // corners of a box around the scene; the lower face of
-const vec3  HIGH = vec3(6.3, 3.55, 2.8);  // the box cuts off all objects, which have no undersides
+const vec3  LOW = vec3(-1.3, -0.4, -4.8); // opposite corners of a box around the scene
+const vec3  HIGH = vec3(6.3, 3.55, 2.8);  // the lower face of the box cuts off the objects, which have no undersides
 const float SHADOW_OFFSET = 0.02;         // height above the surface at which a shadow ray starts
 
 // The measurements of the scene, in scene units.
 const vec2  MIDDLE = vec2(2.5, -1.0); // x and z of the plinth's centre
-const float PLINTH = 3.75;            // half its side
+const float PLINTH = 3.75;            // half the side of the plinth
 const vec2  LOOP = vec2(2.5, 2.0);    // half sides of the rectangle along which the channel runs
 const float WALL = 0.5;               // half the width of the channel and of the tower
 const float WATER = 0.32;             // half the width of the water
 const float TOP = 0.5;                // height of the channel's walls above the plinth
-const float CLIMB = 3.0;              // height of the tower above these walls
+const float CLIMB = 3.0;              // height of the tower above the channel's walls
 const float DEEP = 0.1;               // depth of the water's surface below the top of the walls
 const float FRAME = 0.55;             // half the side of a frame
 const float BEAM = 0.15;              // thickness of a frame's beams
-const float CORNER = 3.15;            // the frames are at (-CORNER, CORNER) and (CORNER, -CORNER)
+const float CORNER = 3.15;            // the frames are at MIDDLE + (-CORNER, CORNER) and MIDDLE + (CORNER, -CORNER)
 
-const vec3 TO_SUN = vec3(-0.6149, 0.7549, 0.228); // length 1
+const vec3 TO_SUN = vec3(-0.6149, 0.7549, 0.228); // direction to the sun, length 1
 const vec3 SUN_COLOUR = vec3(1.30, 0.95, 0.60); // linear RGB
 const vec3 SKY_COLOUR = vec3(0.13, 0.17, 0.24);
 
@@ -55,7 +55,7 @@ float channelDistance(vec3 p)
     return max(max(beside - WALL, p.y - TOP), max(open, -bed));
 }
 
-// The tower above the origin. On its top the water arrives from +x and leaves towards +z.
+// The tower above the origin. At its top, the water arrives from +x and leaves towards +z.
 float towerDistance(vec3 p)
 {
     float bed = max(abs(min(p.x, p.z)) - WATER, TOP + CLIMB - DEEP - p.y);
@@ -63,8 +63,8 @@ float towerDistance(vec3 p)
 }
 
 // Two equal frames: min and max fold one onto the other, across the plinth's diagonal. A frame is
-// the part of a cube where at least two of the three coordinates, and therefore the middle one, are
-// near a face.
+// the part of a cube where at least two of the three coordinates are near a face, so that the middle
+// one in order of size is near a face.
 float frameDistance(vec3 p)
 {
     vec2 q = p.xz - MIDDLE;
@@ -81,7 +81,7 @@ float sceneDistance(vec3 p)
     return min(min(plinth, channelDistance(p)), min(towerDistance(p), frameDistance(p)));
 }
 
-// Bright lines that the water carries along, in lanes of width 1/12.
+// Bright lines that the water carries along, in lanes that are 1/12 scene unit wide.
 float foam(float along, float aside)
 {
     float lane = floor(12.0 * aside);
@@ -89,7 +89,8 @@ float foam(float along, float aside)
     return smoothstep(0.75, 0.9, line) * (1.0 - smoothstep(0.9, 1.0, line));
 }
 
-// How far the water at p has flowed along its side of the channel.
+// The coordinate of p along its side of the channel: 0 in the middle of the side, and increasing
+// downstream.
 float streamAt(vec3 p)
 {
     vec2 q = p.xz - MIDDLE;

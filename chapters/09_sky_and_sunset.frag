@@ -4,7 +4,7 @@
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread
 #include "repetition.glsl" // cellRandom
-#include "city.glsl"       // cityDistance, cityNormal, and the block of a point
+#include "city.glsl"       // cityDistance, cityNormal, blockAt, pavement
 #include "lighting.glsl"   // lambert, encodeSRGB
 #include "shadow.glsl"     // shadowRay; it includes march
 #include "bounds.glsl"     // boxInterval
@@ -19,11 +19,12 @@ uniform float footprint;      // 1 in [0, 4] step 0.25, half pixels: radius of a
 uniform int   maxSteps;       // 160 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.002 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit, at the eye
 
-// x points north, y up, z east: the avenue looks west. One scene unit is about 8 metres.
-const float LATITUDE = 43.6;   // of Toulouse, degrees
-const float DECLINATION = 2.0; // of the sun at the end of March, degrees
+// x points north, y up, z east. The camera starts with a view west along the avenue. One scene unit
+// is about 8 metres.
+const float LATITUDE = 43.6;   // latitude of Toulouse, degrees
+const float DECLINATION = 2.0; // declination of the sun in late March, degrees
 const float FAR = 80.0;        // a ray that has travelled this far shows the sky
-const float SHADOW_FAR = 18.0; // length of a shadow ray
+const float SHADOW_FAR = 18.0; // greatest length of a shadow ray
 const vec3  LAMPLIGHT = vec3(1.0, 0.55, 0.22);
 
 Ray pixelRay(vec2 screen)
@@ -55,7 +56,7 @@ vec3 airDepth()
     return RAYLEIGH + haze;
 }
 
-// Sunlight that the air scatters, or the report's colour for it, and the light of the night sky.
+// Sunlight that the air scatters, or the report's colour for it, plus the light of the night sky.
 vec3 skyLight(vec3 direction, vec3 sun)
 {
     vec3 day = sunlitSky(direction, sun, airDepth());
@@ -80,12 +81,12 @@ struct Surface {
     bool  ground, tower, lamp; // if all three are false, p is on a tree
     Block block;
     vec3  normal;
-    float width;               // of the pixel at p, scene units
-    float facing;              // cosine of the angle between normal and ray, at least 0.03
+    float width;               // width of the pixel at p, scene units
+    float facing;              // cosine of the angle between the normal and the direction to the eye, at least 0.03
 };
 
-// The march finds towers, lamps and trees. The ground is the lower face of the box that gives the
-// interval.
+// The march finds towers, lamps and trees. The ground is the lower face of the box that limits the
+// march.
 Surface surfaceAlong(Ray ray)
 {
     float spread = footprint * pixelSpread();
@@ -101,7 +102,7 @@ Surface surfaceAlong(Ray ray)
     bool tower = max(aside.x, aside.z) < 4.5 * BAY.x + 2.0 * (hitThreshold + width), lamp = aside.z < 0.7;
     vec3 normal = ground ? vec3(0.0, 1.0, 0.0) : cityNormal(block, tower, lamp);
     float facing = max(abs(dot(normal, ray.direction)), 0.03);
-    if (met) { // report the hit to the views and the probe, also on the ground
+    if (met) { // report the hit, even on the ground, to the views and the probe
         traceNormal(normal);
         traceMarch(trace.steps, t, END_HIT);
     }
@@ -110,8 +111,8 @@ Surface surfaceAlong(Ray ray)
 
 // ---- The material, found once, at the hit ----
 
-// The glass of a shop and of a window above, as shares of the wall that belongs to each,
-// horizontally and vertically; and the shares of shops and of windows that are lit in the evening.
+// The width and the height of the glass of a shop and of a window above it, as shares of BAY; then
+// the shares of the shops and of the windows that are lit in the evening.
 const vec2  SHOP = vec2(0.86, 0.7);
 const vec2  WINDOW = vec2(0.6, 0.56);
 const float SHOPS_LIT = 0.8;
@@ -121,7 +122,7 @@ struct Material {
     vec3  colour; // the share of each colour that is reflected in all directions
     float pane;   // the share of the pixel that is a window, which reflects
     float gloss;  // the share of the pixel that is asphalt, which glints
-    vec3  glow;   // light that it emits
+    vec3  glow;   // light that the surface emits
 };
 
 // How brightly the street lamps are lit: from shortly before sunset until shortly after sunrise.
@@ -130,21 +131,21 @@ float lampsOn(vec3 sun)
     return 1.0 - smoothstep(-0.02, 0.12, sun.y);
 }
 
-// The share of the people who have their lights on: from dusk until they go to sleep, when the sun
-// is far below the horizon.
+// The share of people who have their lights on: from dusk until they go to sleep, when the sun is
+// far below the horizon.
 float windowsOn(vec3 sun)
 {
     return (1.0 - smoothstep(-0.08, 0.2, sun.y)) * smoothstep(-0.85, -0.4, sun.y);
 }
 
-// The vector from the bulb of the nearest lamp to the point, in the folded street.
+// The vector from the bulb of the nearest lamp to the point, in the folded coordinates of pavement.
 vec3 fromBulb(Surface surface)
 {
     return pavement(surface.block.local) - LAMP;
 }
 
 // The share of windows in a pixel of a wall (x), and how brightly they are lit (y).
-//   at      the position on the wall, in windows and floors
+//   at      the position on the wall, in units of BAY: x counts windows, y floors
 //   random  the window's random number
 vec2 windowsAt(Surface surface, vec2 at, float random, vec3 sun)
 {
@@ -158,7 +159,7 @@ vec2 windowsAt(Surface surface, vec2 at, float random, vec3 sun)
     return vec2(there ? mix(pane, glass.x * glass.y, blur) : 0.0, mix(lit, 0.6 * share, blur));
 }
 
-// The ground: a roadway with a dashed line between pavements.
+// The ground: a roadway with a dashed centre line, between pavements.
 //   asphalt  the share of the pixel that is roadway
 vec3 groundColour(Surface surface, float asphalt)
 {
@@ -169,7 +170,7 @@ vec3 groundColour(Surface surface, float asphalt)
     return mix(vec3(0.27, 0.25, 0.23), vec3(0.06, 0.062, 0.07) + 0.5 * dash, asphalt);
 }
 
-// Each window on each side of each tower has its own random number, and so has each leaf.
+// The random number differs for each window on each side of each tower, and for each leaf.
 Material materialAt(Surface surface, vec3 sun)
 {
     vec3 local = surface.block.local, normal = surface.normal;
@@ -194,7 +195,7 @@ Material materialAt(Surface surface, vec3 sun)
 
 // 1 if the sun or the moon is visible, otherwise 0. A ray that runs out of steps counts as blocked.
 // Walls that the light grazes, at a cosine below 0.02, are not tested: they receive hardly any
-// light and cost the most.
+// light and would cost the most.
 float lightSeen(Surface surface, vec3 toLight)
 {
     bool faces = surface.met && dot(surface.normal, toLight) > 0.02;
@@ -203,8 +204,8 @@ float lightSeen(Surface surface, vec3 toLight)
     return march(ray, 0.0, far, 0.01, 64).t < far ? 0.0 : 1.0;
 }
 
-// The light that a matt surface receives: the beam of sun or moon, the light of the whole sky with
-// a little of the beam that streets scatter, and the light of the nearest lamp.
+// The light that a matt surface receives: the beam of the sun or the moon, the light of the whole
+// sky, a little of the beam that the streets scatter, and the light of the nearest lamp.
 //   direct  the part of the beam that arrives: all of it, or black in the shade
 vec3 receivedLight(Surface surface, vec3 sun, vec3 beam, vec3 direct)
 {
@@ -214,7 +215,8 @@ vec3 receivedLight(Surface surface, vec3 sun, vec3 beam, vec3 direct)
     return open + 0.08 * catches * LAMPLIGHT;
 }
 
-// The sky that panes reflect, and the sun that asphalt reflects, both more at smaller grazing angles.
+// The sky reflected in panes, and the sun or moon reflected in asphalt. Both reflections are stronger
+// at smaller grazing angles.
 // The fourth power instead of Schlick's fifth was chosen by eye, for panes that are not quite flat.
 //   sky  the sky behind the point: a wall at a small grazing angle reflects nearly the same part
 vec3 mirroredLight(Surface surface, Material material, vec3 direction, vec3 sun, vec3 direct, vec3 sky)
@@ -237,8 +239,8 @@ vec3 surfaceLight(Surface surface, vec3 direction, vec3 sun, vec3 sky)
 // ---- The picture ----
 
 // Light as the screen shows it. The exposure adapts to the sky, as an eye does. Then light of any
-// strength is compressed to below 1, as on film: the more light there is, the less an addition
-// counts.
+// strength is compressed to below 1, as on film: the brighter the light, the less an increase
+// changes the result.
 vec3 exposed(vec3 light, vec3 sun)
 {
     float exposure = 0.95 / sqrt(skyAmbient(sun, airDepth()).y + 0.02);

@@ -24,7 +24,7 @@ uniform float hitThreshold; // 0.004 in [0.00001, 0.1] step *2, units: distance 
 const float FAR = 6.0; // a ray that has travelled this far has left the sheet
 
 // The point of the sheet, the plane z = 0, that a point of the screen shows. The camera stays in
-// front of the sheet. A ray above the horizon, which would miss the sheet, is given a point far
+// front of the sheet. For a ray above the horizon, which misses the sheet, the result is a point far
 // away.
 vec2 planePoint(vec2 screen)
 {
@@ -35,17 +35,18 @@ vec2 planePoint(vec2 screen)
 // How far the point of the sheet moves when the point of the screen moves, to first order: the
 // derivative of planePoint.
 //   p     the point of the sheet
-//   move  movement of the point of the screen, as a vector in space: a multiple of the camera's
-//         right or up
-//   away  distance from the camera to the sheet, along the view, in focal lengths
+//   move  direction in which the point of the screen moves: the camera's right or up
+//   away  how far the point of the screen moves, times the distance from the camera to the sheet
+//         along the view, in focal lengths
 vec2 sheetStep(vec2 p, vec3 move, float away)
 {
     return away * (move.xy + move.z * (p - iCameraPosition.xy) / max(iCameraPosition.z, 0.01));
 }
 
-// All rays lie in the sheet. The picture, the probe and the slice view use one ray for all pixels,
-// through the aim. In the other views each pixel has its own ray, through the point that it shows.
-// The program that looks for the handles in the picture needs the rays of the eye.
+// All rays lie in the sheet. The picture, the probe, the slice view and the plot use one ray for all
+// pixels, through aim. In the views of the normals, the depth and the steps, each pixel has a ray
+// through the point that it shows. Only VIEW 9, which finds the handles in the picture, needs the
+// rays from the eye.
 Ray pixelRay(vec2 screen)
 {
 #if VIEW == 9
@@ -62,8 +63,9 @@ const vec2 DART[POLYGON_CORNERS] = vec2[POLYGON_CORNERS](
     vec2(-0.9, 0.1), vec2(0.7, 0.8), vec2(0.2, 0.0), vec2(0.6, -0.8), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0),
     vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0));
 
-// A disc, a bar and a rectangle are rounded rectangles: the disc one of size zero, the bar one of
-// height zero. The point is a rectangle of size zero that is not rounded.
+// The distance to the disc, the bar, the rectangle or the point. The disc is a rounded rectangle of
+// size zero, and the bar is one of height zero. The rectangle and the point, which is a rectangle of
+// size zero, are not rounded.
 float roundedDistance(vec2 p)
 {
     vec2 halfSize = figure == 2 ? vec2(0.9, 0.55) : vec2(figure == 1 ? 0.9 : 0.0, 0.0);
@@ -133,13 +135,13 @@ float line(float x, float width)
 }
 
 // The distance at p as colours, lines and an outline. Lines have a fixed width in pixels, because d
-// is divided by its change from pixel to pixel. Where lines would crowd, they fade.
+// is divided by its change from pixel to pixel. Where lines would be too close together, they fade.
 //   right, up  the points that the neighbouring pixels show
 vec3 fieldColour(vec2 p, vec2 right, vec2 up)
 {
     float d = distanceAt(vec3(p, 0.0));
     float perPixel = length(vec2(distanceAt(vec3(right, 0.0)), distanceAt(vec3(up, 0.0))) - d);
-    perPixel = max(perPixel, 0.25 * length(right - p)); // on a ridge, where the change vanishes
+    perPixel = max(perPixel, 0.25 * length(right - p)); // a lower limit for ridges, where the change vanishes
     float near = exp(-abs(d) / (d > 0.0 ? 0.3 : 0.06));
     vec3 light = d > 0.0 ? mix(PAPER, GLOW, near) : mix(DEEP, EDGE, near);
     float level = floor(d / lineSpacing + 0.5);
@@ -152,7 +154,7 @@ vec3 fieldColour(vec2 p, vec2 right, vec2 up)
 
 // The march, drawn over a colour: the area that its circles prove empty, the circles, the ray up to
 // the last evaluation, and ticks where fixed steps would evaluate the distance.
-//   right, up  vectors to the points that the neighbouring pixels show, units
+//   right, up  vectors from p to the points that the neighbouring pixels show, units
 vec3 marchColour(vec3 light, vec2 p, vec2 right, vec2 up, Ray ray)
 {
     mat2 turn = mat2(ray.direction.xy, -ray.direction.y, ray.direction.x);
@@ -171,7 +173,7 @@ vec3 marchColour(vec3 light, vec2 p, vec2 right, vec2 up, Ray ray)
         t += radius;
     }
     vec2 across = q - vec2(middle, 0.0) + 1e-7, move = across * next;
-    float perUnit = sqrt(dot(across, across) / dot(move, move)); // pixels, perpendicular to the rim
+    float perUnit = sqrt(dot(across, across) / dot(move, move)); // pixels per unit, perpendicular to the rim
     float ink = q.x > 0.0 && q.x < end ? line(q.y / pixel.y, 1.2) : 0.0;
     if (fixedStep > 0.0 && q.x > 0.0 && abs(q.y) < 5.0 * pixel.y)
         ink = max(ink, line((fract(q.x / fixedStep + 0.5) - 0.5) * fixedStep / pixel.x, 1.2));
@@ -186,7 +188,7 @@ vec3 rayColour(Ray ray)
 {
 #if VIEW >= 1 && VIEW <= 6
     Hit hit = march(ray, 0.0, FAR, hitThreshold, maxSteps);
-    if (VIEW == 2) // the greys of this view change most around 6 units, so scale the sheet by 4
+    if (VIEW == 2) // the greys of the depth view change most around 6 units, so scale the sheet by 4
         traceMarch(trace.steps, 4.0 * hit.t, trace.end);
     if (VIEW < 4 && hit.found)
         normalAt(ray.origin + hit.t * ray.direction, hitThreshold);

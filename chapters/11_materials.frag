@@ -57,8 +57,9 @@ float cameraRoom(vec3 p)
 
 // ---- Where to look ----
 
-// The interval of a ray: from where it enters a box around objects, or from just in front of the
-// plane that it meets, the table or the wall, to a little behind that plane.
+// The interval in which a ray can meet the scene. It begins where the ray enters a box around
+// objects or, if the ray misses the boxes, just in front of the table or the wall, and ends a little
+// behind that table or wall.
 vec2 sceneInterval(Ray ray)
 {
     vec2 things = thingsInterval(ray);
@@ -86,15 +87,15 @@ const Material WOOD = Material(vec3(0.07, 0.04, 0.02), vec3(0.04), 0.7);
 const Material BOTTLE = Material(vec3(0.02, 0.08, 0.05), vec3(0.04), 0.22);
 const Material HONEY = Material(vec3(0.55, 0.25, 0.03), vec3(0.04), 0.30);
 
-// Data of the pixel that shows a point.
+// The pixel that shows a point.
 struct Pixel {
-    vec3  direction; // of its ray, length 1
-    float halfSide;  // at the point, perpendicular to the view, scene units
+    vec3  direction; // direction of the pixel's ray, length 1
+    float halfSide;  // half the pixel's side at the point, perpendicular to the view, scene units
     float bend;      // how fast the direction changes across the pixel, per scene unit
 };
 
 // The share of linen in the part of the cloth that a pixel covers. The sides of the squares are at
-// 45 degrees to the axes.
+// 45 degrees to the x and z axes.
 float linenShare(vec3 p, Pixel pixel)
 {
     const float S = 0.70710678 / TILE;
@@ -103,7 +104,7 @@ float linenShare(vec3 p, Pixel pixel)
     return checkers(seen.middle, averaged ? seen.width : vec2(1e-4));
 }
 
-// Keep the nearer of two parts, with its material.
+// Replace the nearest part and its material with a candidate if the candidate is nearer.
 void take(inout float nearest, inout Material found, float distance, Material candidate)
 {
     if (distance < nearest) {
@@ -144,7 +145,7 @@ float pane(vec2 q, vec2 halfSize, float soft)
 }
 
 // The light from the direction of a ray that meets nothing: the room behind the viewer, with the
-// window on the left. It is painted by eye, and is softer when a rougher surface reflects it.
+// window on the left. The room is painted by eye, and a rougher surface reflects a softer window.
 vec3 skyLight(vec3 direction, float roughness)
 {
     vec2 q = direction.yz / min(direction.x, -0.1) + vec2(0.55, 0.45);
@@ -167,8 +168,8 @@ vec3 mirroredShare(Material material, float facing)
     return mix(material.straight, vec3(1.0), schlickShare(clamp(facing, 0.0, 1.0), 0.0));
 }
 
-// The light of the window where it is visible, reflected and scattered, and the scattered light of
-// the room.
+// The light that a surface sends to the eye: the light of the window where the window is visible,
+// mirrored and scattered, and the light of the room, scattered.
 vec3 surfaceLight(vec3 p, vec3 normal, vec3 toEye, Material material, float radius)
 {
     Ray ray = shadowRay(p, normal, TO_LIGHT, 4.0 * radius);
@@ -195,8 +196,8 @@ vec3 surfaceNormal(vec3 p, float radius)
     return normal;
 }
 
-// The light that reaches the camera, including the light that reaches it after one reflection in
-// the silver. The ray of a pixel widens along its path, and faster after a curved mirror.
+// The light that reaches the camera, including light that the silver has reflected once. The ray of
+// a pixel widens along its path, and faster after a curved mirror.
 vec3 rayColour(Ray ray)
 {
     vec3 light = vec3(0.0), share = vec3(1.0);

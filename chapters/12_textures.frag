@@ -1,4 +1,4 @@
-// 12 Textures: stones, a plank and a cloth on a cold clear morning; none has texture coordinates.
+// 12 Textures: stones, a plank and a cloth on a cold, clear morning. None has texture coordinates.
 
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread, coneReaching
@@ -65,17 +65,18 @@ float smoothStones(vec3 p)
     return min(under, roundBox(vec3(row.x, q.y, opRepeatLimited(row.y, 2.7, -2.0, 0.0)), vec3(0.5, 1.25, 0.62), 0.3));
 }
 
-// The ball rolls to and fro, and turns by the angle path / radius.
+// The pose of the ball, which rolls to and fro and turns by an angle of path / radius.
 Pose ballPose()
 {
     float way = 0.35 - 0.7 * abs(2.0 * fract(0.1 * iTime) - 1.0);
     return Pose(vec3(way - 0.75, 0.96 + BALL, 0.0), rotationZ(-way / BALL));
 }
 
-// A shell around the plank, open below and cut off at the hem. If it were closed just under the
-// cut, the bound of its distance would be near 0 there, which is a hit for the wide rays of a small
-// picture. Folds push it sideways along z, the more the lower it hangs, with a slope of at most
-// 0.7. Without the folds, the shell is the same at every x, so their slope adds perpendicularly.
+// A shell around the plank, open at the bottom and cut off at the hem. If it were closed just under
+// the cut, the lower bound of the distance to it would be near 0 there, which the wide rays of a
+// small picture would count as a hit. Folds displace the shell along z, by more the lower it hangs,
+// with a slope of at most 0.7. Without the folds, the shell has the same cross-section at every x, so
+// the slope of the folds is perpendicular to the gradient of the distance.
 float clothDistance(vec3 p)
 {
     vec3 q = p - vec3(0.75, 0.6, 0.0);
@@ -100,14 +101,14 @@ vec4 stoneNoise(vec3 p, int count)
     return vec4(1.0, vec3(CELLS)) * octaveNoise(CELLS * p, count, GAIN, LACUNARITY);
 }
 
-// The Lipschitz constant of stoneNoise as the march uses it.
+// A Lipschitz constant of stoneNoise with the octaves that the march uses.
 float stoneNoiseStretch()
 {
     return CELLS * octaveStretch(OCTAVES, GAIN, LACUNARITY);
 }
 
-// The noise removes material from the stones, up to the depth roughness. So the rough stones lie
-// inside the smooth ones, whose distance is therefore also a lower bound.
+// The noise removes material from the stones, to a depth of at most roughness. So the rough stones
+// lie inside the smooth stones, and the distance to the smooth stones is also a lower bound.
 float sceneDistance(vec3 p)
 {
     vec4 part = partDistances(p);
@@ -130,8 +131,8 @@ vec2 sceneInterval(Ray ray)
 // ---- Materials ----
 
 struct Surface {
-    vec4 part;   // the smallest absolute partDistances near p, at most 1
-    vec3 normal; // of the smooth shapes
+    vec4 part;   // the smallest absolute value of each of partDistances near p, at most 1
+    vec3 normal; // normal of the smooth shapes
 };
 
 // The surface at p. Its normal comes from differences of the smooth shapes only, at the corners of a
@@ -152,7 +153,7 @@ Surface surfaceAt(vec3 p, float h, bool hit)
 }
 
 // Granite, projected from as many sides as the parameter planes specifies.
-//   p, normal, f  in the coordinates of the stone
+//   p, normal, f  in the coordinates of the object
 vec3 graniteAt(vec3 p, vec3 normal, Footprint f)
 {
     vec3 weights = planeWeights(normal, sharpness);
@@ -163,8 +164,8 @@ vec3 graniteAt(vec3 p, vec3 normal, Footprint f)
 
 struct Material {
     vec3  colour;
-    vec3  normal; // including all roughness
-    float polish; // 1 if it mirrors the sky
+    vec3  normal; // normal of the rough surface
+    float polish; // 1 if the surface mirrors the sky, otherwise 0
 };
 
 // The material at the point where the ray ends, found once, at the hit. Without a hit, the point is
@@ -177,13 +178,13 @@ Material materialAt(vec3 p, vec3 direction, float width, bool hit)
     bool isCloth = hit && surface.part.w < near, isBall = hit && surface.part.z < near;
     bool isPlank = hit && surface.part.y < near && !isCloth, isStone = hit && !(isCloth || isBall || isPlank);
 
-    // The gradient of the noise is known in closed form. It includes two octaves more than the
-    // march uses, or four more on the ground, which comes nearer to the eye. The ground is flat,
-    // and only shaded as if it were rough.
+    // The gradient of the noise is computed in closed form. It includes two octaves more than the
+    // march uses, or four more on the ground, which is nearer to the eye. The ground is flat, and
+    // only shaded as if it were rough.
     float scale = hit ? 1.0 : 1.8, depth = isStone ? roughness : (hit ? 0.0 : bumps);
     int octaves = OCTAVES + (hit ? 2 : 4);
     vec4 noise = stoneNoise(scale * p, octaves);
-    depth *= geometricSum(GAIN, octaves) / geometricSum(GAIN, OCTAVES); // the marched octaves keep their depth
+    depth *= geometricSum(GAIN, octaves) / geometricSum(GAIN, OCTAVES); // the octaves of the march keep their depth
     vec3 normal = bumpedNormal(surface.normal, -depth * scale * noise.yzw);
     float pale = noise.x;
 
@@ -195,7 +196,8 @@ Material materialAt(vec3 p, vec3 direction, float width, bool hit)
     vec3 stone = graniteAt(seenFrom(pose, p), granular ? normal * pose.turn : vec3(0.0, 1.0, 0.0), footprintSeen(f, pose.turn, 1.0));
     stone = planes == 0 ? mix(vec3(0.10, 0.09, 0.08), vec3(0.62, 0.56, 0.52), pale) : stone;
 
-    // Plank and cloth lie flat or hang, so one projection is enough, along the axis that they face.
+    // The sides of the plank and the cloth are level or vertical, so one projection is enough, along
+    // the axis that a side faces.
     vec3 facing = abs(surface.normal);
     int axis = facing.y > 0.6 ? 1 : (facing.x > facing.z ? 0 : 2);
     Slide slide = slideAlong(WEAVE * p, footprintSeen(f, mat3(1.0), WEAVE), axis);
@@ -209,7 +211,7 @@ Material materialAt(vec3 p, vec3 direction, float width, bool hit)
 
 // ---- The morning ----
 
-// A clear sky, paler below, warm towards the low sun.
+// A clear sky, paler towards the horizon and warm towards the low sun.
 vec3 skyLight(vec3 direction, vec3 sun)
 {
     vec3 sky = mix(vec3(0.46, 0.53, 0.60), vec3(0.07, 0.16, 0.34), 1.0 - exp(-3.6 * max(direction.y, 0.0)));
@@ -225,7 +227,7 @@ vec3 rayColour(Ray ray)
     float t = hit.found ? hit.t : ground, radius = hitThreshold + spread * t;
     vec3 p = ray.origin + t * ray.direction;
     Material material = materialAt(p, ray.direction, 2.0 * spread * t, hit.found);
-    if (t < FAR) { // report the hit to the views and the probe, also on the ground
+    if (t < FAR) { // report the hit, even on the ground, to the views and the probe
         traceNormal(material.normal);
         traceMarch(trace.steps, t, END_HIT);
     }

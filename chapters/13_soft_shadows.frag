@@ -17,17 +17,17 @@ uniform float spread;       // 0.04 in [0.002, 0.2] step *1.1: radius of the sun
 uniform int   rays;         // 4 in [1, 8]: rays per side: with shadow 3 each sample sends rays x rays towards the sun
 uniform float sunElevation; // 29 in [5, 80] step 1, degrees: height of the sun above the horizon
 uniform float sunAzimuth;   // 214 in [0, 360] step 2, degrees: azimuth of the sun, from the right towards the viewer
-uniform float sunSpeed;     // 3 in [0, 90] step 1, degrees per second: speed of its azimuth
+uniform float sunSpeed;     // 3 in [0, 90] step 1, degrees per second: speed of the sun's azimuth
 uniform int   maxSteps;     // 96 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
 // The floor is the plane y = 0. It is not part of the distance: a division finds where a ray meets
-// it, and a shadow ray need not climb away from it.
+// it, and a shadow ray that starts on it needs no small steps to leave it.
 const vec3  LOW = vec3(-10.1, -0.01, -5.3);         // opposite corners of a box around everything else
 const vec3  HIGH = vec3(6.9, 2.78, 2.9);
 const float EDGE = -5.2;                            // z at which the floor ends, scene units
 const float FAR = 60.0;
-const float LONGEST_SHADOW = 10.0;                  // length of the longest shadow with the sun 17 degrees high, scene units
+const float LONGEST_SHADOW = 10.0;                  // longest shadow of a sun 17 degrees high or higher, scene units
 const vec3  SUN_COLOUR = vec3(1.36, 1.00, 0.68);    // light of the sun on a surface that faces it, linear RGB
 const vec3  SKY_COLOUR = vec3(0.25, 0.35, 0.53);    // light from above
 const vec3  EARTH_COLOUR = vec3(0.54, 0.40, 0.31);  // light from below, reflected by the floor
@@ -50,7 +50,8 @@ float trellisDistance(vec3 p)
     return min(posts, sdBox(q - vec3(0.0, 1.37, -0.9), vec3(0.09, 0.07, 3.7)));
 }
 
-// A slender figure on a plinth: a body that tapers upwards, shoulders, a neck and a head. It is a lower bound.
+// A slender figure on a plinth: a body that tapers upwards, shoulders, a neck and a head. The
+// distance is a lower bound.
 float figureDistance(vec3 p)
 {
     vec3 q = p - vec3(1.45, 0.0, 0.1);
@@ -121,7 +122,7 @@ struct Surface {
     vec3  p;      // scene units
     vec3  normal; // length 1
     vec3  colour;
-    float radius; // of the pixel's footprint there
+    float radius; // radius of the pixel's footprint at p
 };
 
 Surface surfaceAt(Ray ray)
@@ -148,15 +149,15 @@ Ray sunRay(Surface surface, vec3 toSun)
     return shadowRay(surface.p, surface.normal, toSun, 2.0 * surface.radius);
 }
 
-// How far to march along the shadow ray: to the end of the box, enlarged by the distance between
-// the rays to the sun's centre and to its rim.
+// How far to march along the shadow ray: to where it leaves the box. The box is enlarged by the
+// greatest distance between the rays to the sun's centre and to its rim.
 float sunReach(Surface surface, Ray ray)
 {
     float room = LONGEST_SHADOW * spread;
     return surface.open ? 0.0 : shadowReach(surface.normal, ray.direction, boxInterval(ray, LOW - room, HIGH + room).y);
 }
 
-// The visible share of the sun, by one of four methods.
+// The visible share of the sun, computed with one of four methods.
 float sunSeen(Surface surface, vec3 toSun)
 {
     Ray ray = sunRay(surface, toSun);
@@ -175,7 +176,7 @@ vec3 ambientLight(vec3 normal, vec3 toSun)
     return mix(EARTH_COLOUR, SKY_COLOUR, 0.5 + 0.5 * normal.y) + (0.5 + 0.5 * dot(normal, toSun)) * GLOW_COLOUR;
 }
 
-// The light that reaches the eye: the shadow darkens only the sun's light.
+// The light that reaches the eye. The shadow darkens only the sun's light.
 vec3 surfaceLight(Surface surface, Ray ray, vec3 toSun, float seen)
 {
     vec3 light = ambientLight(surface.normal, toSun) + seen * lambert(surface.normal, toSun) * SUN_COLOUR;

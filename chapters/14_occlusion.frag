@@ -20,7 +20,7 @@ const vec3 SKY = vec3(1.18, 1.22, 1.26);              // light of the whole sky 
 const vec3 NEAR = vec3(0.66, 0.56, 0.46);             // share of light that the court's surfaces reflect, on average
 const vec3 DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02); // colours of large errors of the taps
 
-bool lookingRound; // true if the distance is for rays to the sky, false for the ray from the eye
+bool lookingRound; // true for taps and rays to the sky, false for the ray from the eye
 
 Ray pixelRay(vec2 screen)
 {
@@ -28,7 +28,7 @@ Ray pixelRay(vec2 screen)
 }
 
 // A division finds where the ray from the eye meets the floor and the side walls, so these are part
-// of the distance only for rays to the sky.
+// of the distance only for the taps and for rays to the sky.
 float sceneDistance(vec3 p)
 {
     float trough = lookingRound ? troughDistance(p) : COURT_FAR;
@@ -42,25 +42,25 @@ vec3 skyLight(vec3 direction)
     return mix(vec3(0.70, 0.73, 0.76), vec3(0.80, 0.85, 0.90), up) * (0.62 + 0.9 * up);
 }
 
-// The openness, from five taps.
+// The openness, estimated from five taps.
 float openQuickly(Surface surface)
 {
     return openOverGround(surface.normal) * openByTaps(surface.p, surface.normal, reach, strength);
 }
 
-// The openness, from many rays.
+// The openness, measured with many rays.
 float openTruly(Surface surface, int side)
 {
     return skyReaching(surface.p, surface.normal, 2.0 * surface.radius, COURT_FAR, side, hitThreshold, maxSteps, 0);
 }
 
-// The openness, by the selected method.
+// The openness, found with the selected method.
 float openBy(Surface surface, float taps, float truth)
 {
     return method == 0 ? openOverGround(surface.normal) : (method == 1 ? taps : truth);
 }
 
-// The light that reaches the eye from a point of this openness.
+// The light that reaches the eye from a point with a given openness.
 vec3 surfaceLight(Surface surface, float open)
 {
     vec3 light = SKY * skyAndBounces(open, NEAR, bounces);

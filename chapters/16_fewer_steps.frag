@@ -27,16 +27,16 @@ uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: di
 // whose intersection with a ray takes one division; it is not part of the distance.
 const float SEA = -1.1;
 const vec3  LOW = vec3(-4.3, -1.2, -49.0), HIGH = vec3(4.3, 7.1, 7.9); // corners of a box around the pier
-const vec3  POLES_LOW = vec3(3.9, -1.5, -36.0), POLES_HIGH = vec3(4.7, 2.2, 1.0); // the same for the poles on one side
-const float TWIST = 3.0;                         // of a pole, radians per scene unit
+const vec3  POLES_LOW = vec3(3.9, -1.5, -36.0), POLES_HIGH = vec3(4.7, 2.2, 1.0); // box around the poles on one side
+const float TWIST = 3.0;                         // twist of a pole, radians per scene unit
 const float POLE_REACH = 0.28;                   // radius of the cylinder in which the twist is evaluated, scene units
 const vec3  TO_SUN = vec3(-0.4933, 0.6972, 0.5202);
 const vec3  SUN_COLOUR = vec3(1.55, 1.38, 1.10); // linear RGB
 const vec3  SKY_COLOUR = vec3(0.26, 0.42, 0.55);
 const vec3  WATER_COLOUR = vec3(0.05, 0.30, 0.32);
 
-// The number by which a pole's distance is divided: a stretch that is safe for all rays, or only
-// for the ray being marched.
+// The divisor of a pole's distance: a stretch that is safe for all rays, or only for the ray that is
+// being marched.
 float poleStretch;
 
 Ray pixelRay(vec2 screen)
@@ -51,7 +51,7 @@ float bar(vec3 p, float width, float height)
     return sdBox(p, vec3(width, height, width));
 }
 
-// The walk, its rails and their posts, the piles, and the masts with lanterns, for x >= 0.
+// The deck, its rails and their posts, the piles, and the masts with lanterns, for x >= 0.
 float pierDistance(vec3 p)
 {
     float deck = sdBox(p - vec3(0.0, -0.06, -16.5), vec3(1.4, 0.06, 24.0));
@@ -65,8 +65,8 @@ float pierDistance(vec3 p)
     return min(min(deck, rails), min(min(posts, piles), min(bar(mast, 0.025, 1.3), lantern)));
 }
 
-// The pavilion at the end of the pier: a roof on slender columns, and a lantern above it. It is a lower
-// bound.
+// The pavilion at the end of the pier: a roof on slender columns, and a cupola on the roof. The
+// distance is a lower bound.
 float pavilionDistance(vec3 p)
 {
     vec3 q = p - vec3(0.0, 0.0, -44.5);
@@ -120,8 +120,8 @@ float coarseMargin(float t)
     return hitThreshold + footprint * pixelSpread() * t;
 }
 
-// March a pixel's ray as before, or with this chapter's methods. One loop does both: the methods
-// are its arguments.
+// March a pixel's ray as before, or with this chapter's methods. The same loop does both, because
+// its arguments switch the methods on or off.
 //   ground  where the ray meets the water
 //   now     true to use this chapter's methods
 Hit marchPier(Ray ray, float ground, bool now)
@@ -172,7 +172,7 @@ vec3 paintAt(vec3 p, vec3 normal)
     return abs(p.x) > 3.5 ? pole : (deck ? planks : vec3(0.82, 0.82, 0.80));
 }
 
-// The picture in sunlight.
+// The light of a pixel if the scene is shown in sunlight.
 //   ground  where the ray meets the water
 vec3 sceneLight(Ray ray, Hit hit, float ground)
 {
@@ -199,6 +199,6 @@ vec3 rayColour(Ray ray)
         traceNormal(vec3(0.0, 1.0, 0.0));
         traceMarch(steps, ground, END_HIT);
     }
-    bool sunny = lit || VIEW == 1; // the normal view needs the normals
+    bool sunny = lit || VIEW == 1; // sceneLight computes the normals for their view
     return sunny ? encodeSRGB(sceneLight(ray, hit, ground)) : stepColour(steps);
 }

@@ -8,7 +8,8 @@ int main(int argc, char **argv)
     const struct chapter chapter = {
         .stem = "17_glass",
         .title = "17 Glass",
-        .shows = "A tumbler, a prism and a ball in low light, which they bend, mirror and gather.",
+        .shows =
+            "A tumbler, a prism and a ball, which bend, mirror and gather the light of a lamp.",
         .camera = {.position = {0.0f, 2.1f, 3.15f}, .pan = 0.0f, .tilt = -26.0f},
     };
     return chapter_run(&chapter, argc, argv);

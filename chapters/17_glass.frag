@@ -17,14 +17,14 @@
 #include "shadow.glsl"     // shadowRay
 #include "bounds.glsl"     // boxInterval
 
-uniform int   surfaces;     // 10 in [0, 24]: most surfaces that a ray may meet; light that is left after them is lost
+uniform int   surfaces;     // 10 in [0, 24]: number of surfaces that a ray may meet; light that is left after them is lost
 uniform int   waves;        // 1 in [1, 16]: wavelengths in each sample; with 1 all colours take the path of green
 uniform bool  byLot;        // false: at a surface the ray is reflected or transmitted as a whole, at random
 uniform bool  white;        // false: clear glass in a white world; the picture must be white
 uniform float tint;         // 1 in [0, 4] step 0.1: how much light the tumbler's glass absorbs
 uniform float startOffset;  // 2.5 in [0, 10] step 0.5, thresholds: distance from a surface at which the next ray starts
 uniform float lampAzimuth;  // 28 in [0, 360] step 2, degrees: azimuth of the lamp, from the right away from the viewer
-uniform float lampSpeed;    // 12 in [0, 90] step 2, degrees per second: speed of its azimuth
+uniform float lampSpeed;    // 12 in [0, 90] step 2, degrees per second: speed of the lamp's azimuth
 uniform int   maxSteps;     // 80 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0004 in [0.00001, 0.05] step *2, scene units: distance that counts as a hit, on both sides
 
@@ -92,7 +92,7 @@ float cameraRoom(vec3 p)
     return min(sceneDistance(p), p.y) - 0.05;
 }
 
-// The material of the glass near p: Cauchy's coefficients and absorption.
+// A kind of glass: Cauchy's coefficients, and the absorption per scene unit.
 struct Glass {
     vec2 cauchy;
     vec3 absorption;
@@ -112,7 +112,8 @@ vec3 toLamp()
     return normalize(vec3(cos(azimuth), 0.50, -sin(azimuth)));
 }
 
-// A dark room: a lit screen behind the table, tall windows on both sides, and the lamp itself.
+// The light from the direction d in a dark room: a lit screen behind the table, tall windows on both
+// sides, and the lamp itself.
 vec3 surroundings(vec3 d)
 {
     vec2 screen = vec2(d.x, d.y - 0.06) / max(-d.z, 0.05);
@@ -132,7 +133,8 @@ vec3 beamLight(vec3 p)
     return BEAM_LIGHT * (beam.white + meanColour(beam.waves.x, beam.waves.y));
 }
 
-// The lamp's light on the table. It goes straight through the glass, but the ball gathers it.
+// The lamp's light on the table. The light goes straight through the tumbler and the prism, but the
+// ball gathers it.
 vec3 lampLight(vec3 p, bool asked)
 {
     vec3 lamp = toLamp(), fromBall = p - BALL.xyz;
@@ -148,7 +150,7 @@ vec3 lampLight(vec3 p, bool asked)
     return 6.0 * lamp.y * LAMP_COLOUR * (straight + ballCaustic(fromBall, lamp, BALL.w, 1.52, 0.05));
 }
 
-// The table, and the room behind it.
+// The light of the table, and of the room behind it.
 //   far  length of the path from the eye to this ray's start, scene units
 vec3 worldLight(Ray ray, float far)
 {
@@ -166,16 +168,16 @@ vec3 worldLight(Ray ray, float far)
 // ---- The path of a ray ----
 
 struct Way {
-    Ray   ray;   // starts at the last surface
-    float far;   // length of the path from the eye to there, scene units
-    vec3  share; // of the light there that reaches the eye
-    vec3  light; // reflected towards the eye at the surfaces before it
-    bool  free;  // true if the ray met nothing more, false if it met too many surfaces
+    Ray   ray;   // the last ray of the path; it starts at the last surface
+    float far;   // length of the path from the eye to that surface, scene units
+    vec3  share; // share of the light of this ray that reaches the eye
+    vec3  light; // light reflected towards the eye at the surfaces that the path has met
+    bool  free;  // true if the ray met nothing more, false if the path met too many surfaces
 };
 
 // Follow a ray from surface to surface. With byLot, chance decides at each surface whether the ray is reflected.
-// Otherwise, the part that is not followed, which is the reflected one unless all light is reflected, is assumed to
-// come straight from the room.
+// Otherwise, the ray is transmitted unless all light is reflected, and the light of the reflected part, which is not
+// followed, is assumed to come straight from the room.
 //   wave  wavelength of the light, micrometres
 //   lot   the first dimension of pixelRandom that the path uses
 Way wayThrough(Ray ray, float wave, int lot)
@@ -201,7 +203,7 @@ Way wayThrough(Ray ray, float wave, int lot)
             way.ray = leavingRay(p, normal, back ? parting.away : parting.bent, startOffset * hitThreshold);
             side = back ? side : -side;
             met++;
-        } else if (met == 0 && ground < FAR) { // the table: report it to the views and the probe
+        } else if (met == 0 && ground < FAR) { // report the hit on the table to the views and the probe
             traceMarch(trace.steps, ground, END_HIT);
             traceNormal(vec3(0.0, 1.0, 0.0));
         }

@@ -9,7 +9,7 @@
 #include "sky_table.glsl" // sunDirection, tableSky, tableSun, tableSunlight, tableAmbient, hourStops
 
 uniform sampler2D sunward; // "sky_sunward.png" sRGB clamp: the half of the sky that contains the sun
-uniform sampler2D away;    // "sky_away.png" sRGB clamp: the other half
+uniform sampler2D away;    // "sky_away.png" sRGB clamp: the other half of the sky
 uniform sampler2D halo;    // "sun_halo.png" sRGB clamp: the sun and its halo
 
 uniform float timeOfDay;      // 18.4 in [0, 24] step 0.05, hour of the day: solar time at the start
@@ -20,9 +20,9 @@ uniform float swell;          // 0.04 in [0, 0.2] step 0.01: slope of the waves
 uniform int   maxSteps;       // 96 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.01 in [0.00001, 0.2] step *2, metres: distance at the eye that counts as a hit
 
-// x points north, y up, z east; the camera looks west. One scene unit is one metre.
-const float LATITUDE = 43.6;              // degrees
-const float DECLINATION = 2.0;            // of the sun at the end of March, degrees
+// x points north, y up, z east; the first view is to the west. One scene unit is one metre.
+const float LATITUDE = 43.6;              // latitude of Toulouse, degrees
+const float DECLINATION = 2.0;            // declination of the sun in late March, degrees
 const vec3  PINE = vec3(29.0, 2.4, -47.0); // foot of the pine
 const vec3  HILL = vec3(31.5, -12.8, -48.0); // the centre of the ball whose top is the largest rock
 
@@ -33,7 +33,7 @@ const vec3 PINE_LOW = vec3(21.0, -12.0, -52.0), PINE_HIGH = vec3(33.5, 12.0, -42
 // The light of the sky without sun and moon, 2e-4 cd/m^2: airglow and stars.
 const vec3 NIGHT = vec3(0.4e-7, 0.5e-7, 0.8e-7);
 
-// The displacement of the image by the waves at this pixel: metres sideways per metre of depth.
+// The displacement of the mirror image by the waves at this pixel: metres sideways per metre of depth.
 vec2 bend = vec2(0.0);
 
 Ray pixelRay(vec2 screen)
@@ -62,8 +62,8 @@ float zigzag(float x)
     return 4.0 * abs(fract(x) - 0.5) - 1.0;
 }
 
-// The pine: a leaning trunk that forks, and a crown of four flat domes, cut off at the bottom. It is a
-// lower bound.
+// The pine: a leaning trunk that forks, and a crown of four flattened balls. The distance is a lower
+// bound.
 float pineDistance(vec3 p)
 {
     vec3 q = p - PINE;
@@ -81,7 +81,7 @@ float pineDistance(vec3 p)
 }
 
 // Three rocks, each a ball. The two larger balls are cut by cones, so that their sides are steep at
-// the water. It is a lower bound.
+// the water. The distance is a lower bound.
 float landDistance(vec3 p)
 {
     float land = max(length(p - HILL) - 16.0, length(p.xz - HILL.xz) - 8.6 + 0.9 * p.y);
@@ -91,8 +91,8 @@ float landDistance(vec3 p)
     return 0.42 * (land + rock);
 }
 
-// The islet is above the water, and its mirror image, displaced by the waves, is below. Water shows
-// the world upside down, so a ray goes straight on into the mirror image.
+// The islet is above the water, and its mirror image, displaced by the waves, is below the water.
+// Water shows the world upside down, so a ray goes straight on into the mirror image.
 float sceneDistance(vec3 p)
 {
     float depth = max(-p.y, 0.0);
@@ -108,8 +108,8 @@ float cameraRoom(vec3 p)
 
 // ---- The water ----
 
-// The slope of the water at a point: two trains of waves, each damped where a pixel of this width
-// cannot resolve it.
+// The slope of the water at a point: two trains of waves, each damped where a pixel of the given
+// width cannot resolve it.
 vec2 waveSlope(vec2 at, float width)
 {
     const vec2 LONG = vec2(0.08, 0.22), SHORT = vec2(-0.41, 0.77);
@@ -121,7 +121,7 @@ vec2 waveSlope(vec2 at, float width)
 // ---- Where a ray ends ----
 
 struct Surface {
-    vec3  p;        // on the islet, if met
+    vec3  p;        // a point of the islet or its mirror image, if met
     bool  met;      // the ray has met the islet or its mirror image
     bool  mirrored; // the ray has met the water
     vec3  leaves;   // the direction in which the ray leaves if it meets nothing
@@ -144,8 +144,8 @@ Surface surfaceAlong(Ray ray)
 
 // ---- Light ----
 
-// The light reflected at a point of the islet: that of sun and sky on a matt surface. The normal is
-// that of a single dome for the whole crown, and that of the largest rock everywhere else.
+// The light of the sun and the sky that a matt point of the islet reflects. The whole crown has the
+// normals of a single dome, and everything else has the normals of the largest rock.
 vec3 isletLight(vec3 p, vec3 sun)
 {
     p.y = abs(p.y);

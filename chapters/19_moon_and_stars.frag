@@ -28,7 +28,7 @@ uniform float hitThreshold;   // 0.005 in [0.00001, 0.1] step *2, scene units: d
 
 // x points north, y up, z east, as in chapter 09; at the start the camera looks west. One scene
 // unit is one metre.
-const float DECLINATION = 2.0;                // of the sun at the end of March, degrees
+const float DECLINATION = 2.0;                // declination of the sun in late March, degrees
 const vec3  DOME = vec3(17.0, 6.2, -57.0);    // the foot of the observatory
 const vec3  DOME_LOW = DOME + vec3(-3.1, -2.1, -3.1);
 const vec3  DOME_HIGH = DOME + vec3(7.0, 5.8, 3.1);
@@ -43,8 +43,9 @@ Ray pixelRay(vec2 screen)
 
 // ---- The shore ----
 
-// A spruce: a cone with branches, whose undersides are flat. The slope of the sawtooth is at most 1, so
-// 0.6 is safe, except below an underside: there a step may enter the branch or pass its tip.
+// A spruce: a cone with branches, whose undersides are flat. The slope of the sawtooth is at most 1,
+// so the factor 0.6 is safe, except below an underside, where a step may enter the branch or pass its
+// tip.
 float spruce(vec3 p, float height)
 {
     float y = p.y / height, tier = fract(9.0 * y);
@@ -63,7 +64,7 @@ float forest(vec3 p)
     return min(spruce(q, height), wall > 0.0 ? 0.6 * wall + 0.3 : 1e3);
 }
 
-// The observatory: a drum under a hemisphere, and a house. The slit is painted, by lampLight.
+// The observatory: a drum under a hemisphere, and a house. The slit is only painted, in lampLight.
 float observatory(vec3 p)
 {
     vec3 q = p - DOME;
@@ -72,7 +73,7 @@ float observatory(vec3 p)
     return min(min(drum, max(ball, 2.7 - q.y)), 0.92 * house);
 }
 
-// 1 in the slit of the dome and in the window of the house, from which light comes; 0 elsewhere.
+// 1 in the slit of the dome and in the window of the house, where light comes out; 0 elsewhere.
 float lampLight(vec3 p)
 {
     vec3 q = p - DOME;
@@ -98,8 +99,8 @@ float cameraRoom(vec3 p)
 struct Hour {
     float hour;       // solar time
     vec3  sun, moon;  // directions to the sun and the moon
-    vec3  moonlight;  // on a perpendicular surface; fades to 0 as the moon sets
-    vec3  sunlight;   // the same for the sun
+    vec3  moonlight;  // moonlight on a perpendicular surface; fades to 0 as the moon sets
+    vec3  sunlight;   // sunlight on a perpendicular surface; fades to 0 as the sun sets
     float zenith;     // the light of the sky overhead
     float day;        // 0 until the sun is up, 1 when it is high
 };
@@ -114,8 +115,8 @@ Hour hourNow()
     return Hour(hour, sun, toMoon, light, sunlight, zenithLight(sun.y), smoothstep(0.0, 0.3, sun.y));
 }
 
-// The light that the air scatters from a sun above or below the horizon: by day that of chapter 09;
-// at dusk the sunset of chapter 09, dimmed in proportion to the sky overhead, with an arch above
+// The light that the air scatters from a sun above or below the horizon: by day, the sky of chapter
+// 09; at dusk, the sunset of chapter 09, dimmed in proportion to the sky overhead, with an arch above
 // the point where the sun went down.
 vec3 skyLight(vec3 direction, vec3 sun)
 {
@@ -140,8 +141,8 @@ vec4 moonSeen(vec3 direction, Hour now, float width)
     return vec4(spread * spread * light, coverage(1.0 - length(point), width / radius));
 }
 
-// The light of the air: the light of the sun or of dusk, the airglow, and the light of the moon,
-// which the air scatters like that of the sun.
+// The light of the air: the sky by day or at dusk, the airglow, and moonlight, which the air scatters
+// like sunlight.
 vec3 airLight(vec3 direction, Hour now, vec3 clear)
 {
     vec3 moonlit = 0.10 * (1.0 - clear) + 0.25 * glow(direction, now.moon, 0.9);
@@ -205,7 +206,7 @@ vec3 shoreLight(vec3 p, bool marched, Hour now)
     return colour * received + (dome ? lampLight(p) : 0.0) * vec3(5.7e-5, 2.2e-5, 6e-6);
 }
 
-// Everything behind the shore: the ranges of hills, the air, and the heavens beyond it.
+// Everything behind the shore: the ranges of hills, the air, and the heavens beyond the air.
 vec3 skyAll(vec3 direction, Hour now, float width)
 {
     vec3 above = vec3(direction.x, max(direction.y, 0.0), direction.z), clear = transmittance(RAYLEIGH, airMass(above.y));
@@ -214,7 +215,7 @@ vec3 skyAll(vec3 direction, Hour now, float width)
     return mix(mix(air + clear * heavens(above, now, width), 0.45 * air, ranges.x), 0.22 * air, ranges.y);
 }
 
-// The light of the shore where a ray meets it, otherwise that of the sky behind.
+// The light of the shore where a ray meets the shore, otherwise the light of the sky behind it.
 vec3 behindLake(Ray ray, vec3 sky, Hour now)
 {
     float land = landAlong(ray);
@@ -225,8 +226,8 @@ vec3 behindLake(Ray ray, vec3 sky, Hour now)
 }
 
 // Light as it is shown: exposed for the hour, then raised to a power, because no screen shows eight
-// decades. Daylight spans two, so by day the picture gets neither the power nor the stops
-// that bring out the shore at dusk.
+// decades of brightness. Daylight spans only two decades, so by day the picture gets neither the power
+// nor the stops that bring out the shore at dusk.
 vec3 shown(vec3 light, Hour now)
 {
     vec3 x = exposed(light, nightStops(now.zenith + 0.1 * now.moonlight.y) + exposure - 2.5 * now.day);
@@ -240,7 +241,7 @@ vec3 rayColour(Ray ray)
     float lake = ray.direction.y < 0.0 ? -ray.origin.y / ray.direction.y : 1e6;
     bool water = lake < landAlong(ray);
     Ray mirrored = mirroredRay(ray, lake), seen = Ray(water ? mirrored.origin : ray.origin, water ? mirrored.direction : ray.direction);
-    float width = 2.0 * pixelSpread() * pow(dot(ray.direction, iCameraForward), 1.5); // of the pixel, radians
+    float width = 2.0 * pixelSpread() * pow(dot(ray.direction, iCameraForward), 1.5); // width of the pixel, radians
     vec3 light = behindLake(seen, skyAll(seen.direction, now, width), now);
     return shown(water ? (0.03 + 0.95 * schlickShare(seen.direction.y, 0.02)) * light : light, now);
 }

@@ -12,8 +12,8 @@
 #include "fresnel.glsl"    // schlickShare
 #include "film.glsl"       // exposed, filmOfLargest, ditherStep
 #include "fog.glsl"        // fogDepth, throughFog, lampInFog, beamInFog
-#include "sky_table.glsl"  // the clear sky, its sun, their light
-#include "clouds.glsl"     // panoramas, layer, light, weather
+#include "sky_table.glsl"  // the clear sky and the sun, and their light
+#include "clouds.glsl"     // clouds of a panorama and of a layer, their light, and the weather
 
 uniform sampler2D sunward;     // "sky_sunward.png" sRGB clamp: the sky on the sun's side
 uniform sampler2D away;        // "sky_away.png" sRGB clamp: the sky on the other side
@@ -32,13 +32,13 @@ uniform int   clouds;         // 3 in [0, 3]: 0 none, 1 the panoramas, 2 the hig
 uniform int   maxSteps;       // 96 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.002 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit
 
-// x points north, y up, z east; the camera looks south. One scene unit is 5 metres.
+// x points north, y up, z east; the first view is to the south. One scene unit is 5 metres.
 const float LATITUDE = 43.6;
-const float DECLINATION = -8.0; // of the sun in the middle of October, degrees
-const float RISE = 0.56;        // upward shift of the lens, half screen heights: vertical lines stay vertical
+const float DECLINATION = -8.0; // declination of the sun in the middle of October, degrees
+const float RISE = 0.56;        // upward shift of the lens in half screen heights; vertical lines stay vertical
 const float LOW_CLOUDS = 1.2, CLOUD_TOPS = 3.0, HIGH_CLOUDS = 8.0; // altitudes, km
 const float MOON = 2.2e-6;      // light of the full moon, as a share of the sun's
-const float SUN_RADIUS = 0.009; // of sun and moon, radians: twice the true one
+const float SUN_RADIUS = 0.009; // angular radius of the sun and the moon, radians: about twice the true radius
 const vec3  LAMPLIGHT = vec3(1.0, 0.72, 0.38);
 
 Ray pixelRay(vec2 screen)
@@ -61,7 +61,7 @@ float cameraRoom(vec3 p)
 // ---- The sources of light ----
 
 // These values are computed once for each pixel. The full moon is opposite the sun: it fades in while the sun sinks
-// from -2 degrees to -7, and the light of both skies adds.
+// from -2 degrees to -7, and the light of both skies is added.
 struct Lights {
     vec3  skySun;      // direction of the source whose sky is brighter, length 1
     float skyStrength; // strength of that source: 1 for the sun
@@ -71,9 +71,9 @@ struct Lights {
     vec3  sun;      // direction to the sun, or to the moon once the sun lights no cloud
     float strength; // light of that source: 1 for the sun
     vec3  low;      // light of that source at the ground, on a perpendicular surface
-    vec3  high;     // the same at the clouds
+    vec3  high;     // light of that source at the clouds, on a perpendicular surface
     vec3  sky;      // light of the whole sky on a horizontal white surface
-    float stops;    // of the exposure
+    float stops;    // exposure, in stops
     float lamp;     // brightness of the lamps
 };
 
@@ -89,8 +89,8 @@ Lights lightsAt(float hour)
     vec3 low = strength * tableSunlight(sun);
     vec3 high = strength * tableSunlight(vec3(0.0, cloudSunHeight(sun.y, CLOUD_TOPS), 0.0));
     vec3 sky = mix(clear, overcastWhite(clear + low * max(sun.y, 0.0)), overcastShare(weather));
-    // The exposure suits the light that fills most of the picture: that of sky and sunlit clouds, or
-    // only that of the overcast sky.
+    // The exposure suits the light that fills most of the picture: the light of the sky and the
+    // sunlit clouds, or only the light of the overcast sky.
     float bright = mix(clear.y + 0.2 * high.y, 2.0 * sky.y, overcastShare(weather));
     float stops = -1.2 - 0.85 * log2(bright), left = sunLeft(weather);
     float dark = 1.0 - smoothstep(0.04, 0.15, sky.y);
@@ -112,8 +112,8 @@ vec3 discLight(vec3 direction, Lights lights)
     return lights.strength * tableSun(halo, direction, lights.sun, SUN_RADIUS);
 }
 
-// The clouds: the panorama of fair weather in front of that of bad weather, and both in front of the
-// high layer.
+// The clouds: the panorama of fair weather in front of the panorama of bad weather, and both in front
+// of the high layer.
 Cloud cloudsAt(vec3 direction, float width)
 {
     float turn = turned + drift * iTime;
@@ -125,8 +125,8 @@ Cloud cloudsAt(vec3 direction, float width)
     return cloudOver(fair, cloudOver(storm, cloudShare(high, there.y)));
 }
 
-// The clear or overcast sky with its disc, the clouds in front of it, and the haze in front of
-// them.
+// The clear or overcast sky with the disc of the sun or the moon, the clouds in front of the sky, and
+// the haze in front of the clouds.
 vec3 skyWithClouds(vec3 direction, Lights lights, float width)
 {
     float grey = overcastShare(weather);
@@ -146,10 +146,10 @@ struct Surface {
     bool  land, water; // both false for the sky
     float t;           // distance to p along the ray; 1e5 for the sky
     vec3  p;
-    vec3  part;        // distances of rock, tower and house
+    vec3  part;        // distances to the rocks, the tower and the house
     vec3  normal;
     float tone;        // noise at p, in [0, 1)
-    float width;       // of the pixel at p, scene units
+    float width;       // width of the pixel at p, scene units
     Ray   seen;        // the ray on which the sky is evaluated: mirrored for the sea
 };
 
@@ -162,7 +162,7 @@ vec3 waveNormal(vec3 p, vec4 swell, float width)
     return normalize(vec3(-slope.x, 1.0, -slope.y));
 }
 
-// The march looks for the coast. The sea is the plane y = 0.
+// The march finds only the coast. The sea is the plane y = 0.
 Surface surfaceAlong(Ray ray)
 {
     float spread = pixelSpread(), sea = ray.direction.y < 0.0 ? -ray.origin.y / ray.direction.y : 1e5;
@@ -194,7 +194,7 @@ float skyWidth(Surface surface)
 
 // ---- The picture ----
 
-// The light from a point to the eye.
+// The light that a point sends to the eye.
 //   sky  from skyWithClouds along surface.seen
 vec3 surfaceLight(Surface surface, vec3 direction, vec3 sky, Lights lights)
 {
@@ -209,7 +209,7 @@ vec3 surfaceLight(Surface surface, vec3 direction, vec3 sky, Lights lights)
     return surface.land ? land : (surface.water ? mix(deep, sky, share) : sky);
 }
 
-// Add the haze lit by the lamp and its beam, then the rain in front of everything, and last the film.
+// Add the haze lit by the lamp and its beam, then the rain in front of everything. Apply the film last.
 vec3 developed(vec3 light, Surface surface, Lights lights)
 {
     vec3 from = surface.seen.origin - LANTERN, beam = vec3(sin(1.2 * iTime + 0.5), 0.03, cos(1.2 * iTime + 0.5));

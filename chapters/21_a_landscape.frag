@@ -39,15 +39,15 @@ uniform int   maxSteps;       // 160 in [1, 512]: steps after which a ray is aba
 uniform float hitThreshold;   // 0.0002 in [0.00001, 0.1] step *2, scene units: distance at the eye that counts as a hit
 
 const float FAR = 160.0;       // a ray that has travelled this far meets the sky
-const float SHADOW_FAR = 60.0; // length of a shadow ray
+const float SHADOW_FAR = 60.0; // greatest length of a shadow ray
 const float MIST_SCALE = 3.0;  // the height over which the mist thins to 1 / e
-const float LATITUDE = 43.6;   // degrees
-const float SUN_RADIUS = 0.0047, MOON_RADIUS = 0.009; // radians: the moon's is twice the true one
-const float DISC = 0.0047;      // the true radius of both, for shadows
+const float LATITUDE = 43.6;   // latitude of the lake, degrees
+const float SUN_RADIUS = 0.0047, MOON_RADIUS = 0.009; // angular radii, radians: the moon's is twice the true radius
+const float DISC = 0.0047;      // the true angular radius of both, for shadows
 const float LOW_CLOUDS = 3.0, HIGH_CLOUDS = 8.0; // altitudes, km
 const float HIGH_PERIOD = 70.0; // period of the picture of the high clouds, km; the picture moves by one period a day
-const float MOON_STOPS = 3.5;   // most stops of exposure for the moon, because an eye that looks at it adapts
-const vec3  LAMPLIGHT = vec3(0.62, 0.24, 0.06);  // from the windows of the cabin
+const float MOON_STOPS = 3.5;   // greatest exposure of the moon, in stops: an eye that looks at the moon adapts
+const vec3  LAMPLIGHT = vec3(0.62, 0.24, 0.06);  // light from the windows of the cabin
 
 // The hour, the weather and the point on the screen, set once for each pixel.
 float theHour, theWeather;
@@ -61,12 +61,13 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// How much the waves blur the image, per unit of distance from the water; and the number of octaves
-// to evaluate, where 0 means the value of the parameter octaves.
+// How much the waves blur the mirrored image, per unit of distance from the water; and the number of
+// octaves to evaluate, where 0 means the value of the parameter octaves.
 float mirrorBlur = 0.0;
 int   asked = 0;
 
-// The distance to the land; below the water, that to a coarser version of it, reduced by the blur.
+// The distance to the land. Below the water, the land has at most two octaves, and the blur is
+// subtracted from the distance.
 float sceneDistance(vec3 p)
 {
     bool below = p.y < 0.0;
@@ -90,12 +91,12 @@ float coarseMargin(float t)
 // The sources of light, computed once for each pixel.
 struct Hour {
     float noon;             // hours since noon, in [0, 24)
-    vec3  sun, moon, toLight; // directions; toLight points to the source that counts
-    vec3  beam, cloudBeam;  // light of that source on a perpendicular surface, at the ground and at the clouds
+    vec3  sun, moon, toLight; // directions; toLight is the direction to the sun by day and to the moon at night
+    vec3  beam, cloudBeam;  // light from toLight on a perpendicular surface, at the ground and at the clouds
     vec3  sky;              // light of the whole sky on a horizontal white surface
     vec3  moonlit;          // light of the clear night sky that comes from the moon
     float lamp;             // brightness of the lamps, in [0, 1]
-    float stops;            // of the exposure
+    float stops;            // exposure, in stops
     float dimmed;           // share of the light of the moon's disc and of its reflection that is shown
 };
 
@@ -111,8 +112,8 @@ Hour hourNow()
     float moonUp = max(moon.y, 0.0);
     vec3 moonlit = vec3(0.8, 1.0, 1.3) * (0.15 * moonUp * moonBeam), clear = tableAmbient(sun) + moonlit + 6e-8;
     vec3 sky = mix(clear, overcastWhite(clear + max(toLight.y, 0.0) * beam), overcastShare(theWeather));
-    // The exposure suits the light that fills most of the picture: that of sky and sunlit clouds,
-    // or only that of the overcast sky.
+    // The exposure suits the light that fills most of the picture: the light of the sky and the
+    // sunlit clouds, or only the light of the overcast sky.
     vec3 cloudBeam = (day ? vec3(1.0) : full) * high;
     float left = sunLeft(theWeather), bright = exp2(skyBrightness(sun.y)) + 9e-8 + 0.08 * (2.0 * moonUp * moonBeam.g + cloudBeam.g);
     float stops = exposure - 1.5 - 0.9 * log2(mix(bright, 1.3 * sky.g + 8e-8, overcastShare(theWeather)));
@@ -143,7 +144,7 @@ vec3 heavens(vec3 direction, Hour now, float width, bool mirrored)
     return mix(stars, now.dimmed * moonFace(moonMap, point, rim, frame * now.sun, 1.0), mirrored ? 0.0 : inside);
 }
 
-// The sky at a given hour, in the given weather.
+// The light of the sky from a direction, with the clouds of the weather.
 //   mirrored  as for heavens
 //   open      share of a disc in this direction that clouds and weather leave visible
 vec3 skyLight(vec3 direction, Hour now, bool mirrored, out float open)
@@ -183,7 +184,7 @@ Surface surfaceAt(vec3 p, vec3 direction, float width, bool met, bool thing)
 }
 
 // The visible share of the disc of the sun or the moon. The ray goes to the upper rim of the disc.
-// The skyline hides the disc from below; its angle below the ray is the smallest gap / distance.
+// The land hides the disc from below; the angle from the skyline to the ray is the least gap / distance.
 // Only the first octave of the ridges is evaluated. The shadows of cabin, trees and boat are hard.
 //   radius  of the pixel's footprint
 float lightSeen(Surface surface, vec3 toLight, float radius)
@@ -237,7 +238,7 @@ vec3 rayColour(Ray ray)
     vec3 facet = normalize(vec3(-waves.slope.x, 1.0, -waves.slope.y)), mirrored = reflect(ray.direction, facet);
     bend = Bend(true, vec3(on.x, 0.0, on.z), normalize(vec3(mirrored.x, max(mirrored.y, 0.002), mirrored.z)));
 
-    // One march, through the water into the mirrored world.
+    // One march goes through the water into the mirrored world.
     mirrorBlur = 0.5 * sqrt(waves.variance);
     way = oneWay(max(abs(ray.direction.y), bend.direction.y));
     float top = ray.direction.y < 0.0 ? water + HIGHEST / bend.direction.y : (HIGHEST - ray.origin.y) / max(ray.direction.y, 0.02);
@@ -252,7 +253,7 @@ vec3 rayColour(Ray ray)
         traceMarch(trace.steps, first, END_HIT);
     }
 
-    // The light at that point, attenuated by mist up to the water, and from there to the eye.
+    // The light of the point where the ray ends, dimmed by the mist on the path to the water and to the eye.
     Surface surface = surfaceAt(p, direction, 2.0 * spread * t + sqrt(waves.variance) * then, met, thing > 0.0);
     float open;
     vec3 sky = skyLight(direction, now, lake, open);

@@ -17,9 +17,9 @@ uniform int   maxSteps;     // 200 in [1, 1024]: steps after which a ray is aban
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: distance at the eye that counts as a hit
 
 const float FAR = 40.0, SURFACE = 7.0;                     // range of vision in the water; height of the surface
-const vec3  TO_SUN = vec3(-0.3612, 0.8729, -0.3281);       // direction to the sun under water
+const vec3  TO_SUN = vec3(-0.3612, 0.8729, -0.3281);       // direction to the sun, as refracted by the water
 const vec3  SUN_COLOUR = vec3(2.3, 2.1, 1.6);            // linear RGB, at the depth of the reef
-const vec3  DEEP = vec3(0.002, 0.030, 0.085), SHALLOW = vec3(0.02, 0.25, 0.42); // light of the water, down and up
+const vec3  DEEP = vec3(0.002, 0.030, 0.085), SHALLOW = vec3(0.02, 0.25, 0.42); // light seen looking down and up
 const vec3  ABSORBED = vec3(1.6, 0.85, 0.7);               // absorption of red, green and blue, times 1 / clearness
 
 Ray pixelRay(vec2 screen)
@@ -87,8 +87,8 @@ vec3 shaftLight(Ray ray, float far)
 
 // ---- Colours ----
 
-// A colour of the table, where the upper four bits of paint select one of 9 pigments, stone or fish. A coral becomes
-// paler towards its tips, as the lower four bits grow.
+// The colour that paint, a byte of the table, encodes. The upper four bits select one of 9 pigments, stone or fish. A
+// coral becomes paler towards its tips, where the lower four bits are larger.
 vec3 paintColour(int paint)
 {
     const vec3 pigment[9] = vec3[9](vec3(0.80, 0.16, 0.38), vec3(0.70, 0.07, 0.05), vec3(0.86, 0.30, 0.05),
@@ -118,7 +118,7 @@ vec3 mottled(vec3 p, vec3 colour, float up)
     return mix(colour, algae, 0.75 * smoothstep(0.0, 0.8, up + 0.6 * spots)) * (1.0 + 0.1 * grain);
 }
 
-// The share of the light from all directions that reaches p: nearby objects block some of it.
+// An estimate of the share of the light from all directions that reaches p: nearby parts block some of it.
 float openness(vec3 p, vec3 normal)
 {
     float open = 1.0;
@@ -132,7 +132,7 @@ float openness(vec3 p, vec3 normal)
     return open;
 }
 
-// The light from a point of the reef or of the sand, where the ray meets it.
+// The light that a point of the reef or of the sand sends to the eye.
 vec3 surfaceLight(Ray ray, float t, bool onSand, float seen, Skin skin, float open)
 {
     vec3 p = ray.origin + t * ray.direction;

@@ -1,5 +1,5 @@
-// Chapter 23: stored distances. A clay elephant whose distance is kept in a grid, and a tool that
-// changes it.
+// Chapter 23: stored distances. A clay elephant whose distance is stored in a grid, and a tool that
+// adds or removes clay.
 //
 // The page is docs/23_stored_distances.md.
 #include "../common/chapter.h"
@@ -9,8 +9,8 @@
 #include "../shaders/textures/elephant.h"
 #include "../shaders/textures/sculpt.h"
 
-// Map a point of the scene to the elephant's coordinates. The turntable has turned by an angle, in
-// radians.
+// Map a point of the scene to the elephant's coordinates.
+//   angle  by which the turntable has turned, radians
 static void turn_back(const double p[3], double angle, double q[3])
 {
     double c = cos(angle), s = sin(angle);
@@ -19,7 +19,7 @@ static void turn_back(const double p[3], double angle, double q[3])
     q[2] = s * p[0] + c * p[2];
 }
 
-// Find the point of the clay below the pointer. Returns false if there is none.
+// Find the point of the clay under the pointer. Returns false if there is none.
 static bool aim(const unsigned char *grid, const struct sculpture_aim *aim, double point[3])
 {
     const struct parameter *turn = parameters_find(aim->parameters, "turn");
@@ -50,7 +50,7 @@ int main(int argc, char **argv)
     const struct chapter chapter = {
         .stem = "23_stored_distances",
         .title = "23 Stored distances",
-        .shows = "A clay elephant on a turntable: its distance is kept in a grid.",
+        .shows = "A clay elephant on a turntable; its distance is stored in a grid.",
         .camera = {.position = {0.0f, 0.38f, 2.4f}, .pan = 0.0f, .tilt = -12.0f},
         .tool = &tool,
     };

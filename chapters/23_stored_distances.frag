@@ -1,5 +1,5 @@
-// 23 Stored distances: a clay elephant on a turntable. Its distance was computed once, from 25,600 triangles, and is
-// kept in a grid.
+// 23 Stored distances: a clay elephant on a turntable. The distance to it was computed once, from 25,600 triangles, and
+// is stored in a grid.
 
 #include "main.glsl"        // main(): calls pixelRay, then rayColour
 #include "cone.glsl"        // perspectiveRay, marchCone, coneReaching, pixelSpread
@@ -19,7 +19,7 @@
 uniform sampler3D grid; // "clay.png" linear clamp 64: the distance to the elephant, high and low byte
 
 uniform int   stepping;     // 2 in [0, 2]: length of a step: 0 the stored value, 1 divided by sqrt(3), 2 storedStep
-uniform float tool;         // 0 in [-0.2, 0.2] step 0.01, scene units: radius of the roll of clay that a drag adds; below 0 it takes it away, at 0 it turns the view
+uniform float tool;         // 0 in [-0.2, 0.2] step 0.01, scene units: radius of the roll of clay that a drag adds; below 0 a drag removes clay, at 0 it turns the view
 uniform float turn;         // 52 in [-360, 360] step 2, degrees: angle of the turntable at the start
 uniform float turnSpeed;    // 12 in [-90, 90] step 2, degrees per second: speed of the turntable
 uniform float normalStep;   // 1 in [0.02, 3] step 0.05, cells: step of the differences for the normal
@@ -31,7 +31,7 @@ uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, scene units: dis
 // The grid is the cube from -1 to 1. The elephant stands on a turntable, and the turntable on a table, the plane
 // y = TABLE. A division finds where a ray meets this plane.
 const float TOP = -0.562, TABLE = -0.78;
-const vec3  LOW = vec3(-1.1, TABLE, -1.1), HIGH = vec3(1.1, 0.9, 1.1); // box around elephant and turntable
+const vec3  LOW = vec3(-1.1, TABLE, -1.1), HIGH = vec3(1.1, 0.9, 1.1); // box around the elephant and the turntable
 const float FAR = 40.0;
 const vec3  TO_KEY = vec3(-0.7428, 0.5571, 0.3714);   // direction of the large lamp on the left, length 1
 const vec3  TO_RIM = vec3(0.6805, 0.3889, -0.6211);   // direction of the lamp behind, on the right
@@ -41,8 +41,8 @@ const vec3  FILL_COLOUR = vec3(0.18, 0.24, 0.30);     // light from above
 const vec3  BOUNCE_COLOUR = vec3(0.10, 0.075, 0.06);   // light from below
 const vec3  CLAY = vec3(0.36, 0.115, 0.05);
 const vec3  IRON = vec3(0.045, 0.05, 0.055);
-const vec3  PAPER = vec3(0.032, 0.062, 0.072);         // of the table and the backdrop
-const vec3  EYE = vec3(0.148, 0.259, 0.422);         // one eye, in the elephant's coordinates; the other is mirrored
+const vec3  PAPER = vec3(0.032, 0.062, 0.072);         // colour of the table and the backdrop
+const vec3  EYE = vec3(0.148, 0.259, 0.422);         // one eye, in the elephant's coordinates; the other is at -x
 
 Ray pixelRay(vec2 screen)
 {
@@ -127,14 +127,14 @@ vec3 lampLight(Surface s, vec3 toEye, vec3 toLamp, vec3 colour, float seen)
     return seen * lambert(s.normal, toLamp) * colour * (s.colour + share * gloss);
 }
 
-// The paper behind the table: a pool of light.
+// The light of the paper behind the table: a bright spot that fades outwards.
 vec3 backdrop(vec2 screen)
 {
     float away = length((screen - vec2(-0.35, 0.28)) * vec2(0.72, 1.0));
     return PAPER * (0.10 + 1.35 * exp(-1.1 * away * away));
 }
 
-// How open a point is: openByTaps with three distances instead of five.
+// The openness of a point, estimated as by openByTaps but from three distances instead of five.
 float openAt(vec3 p, vec3 normal)
 {
     float hidden = 0.0;

@@ -1,7 +1,7 @@
 // coast.glsl - a lighthouse with its keeper's house on flat rocks in the sea: the scene of chapter 20.
 //
-// x points north, y up, z east; the camera looks south. One scene unit is 5 metres; the sea is
-// y = 0.
+// x points north, y up, z east; the first view is to the south. One scene unit is 5 metres; the sea
+// is y = 0.
 #include "bounds.glsl"     // boxInterval, intervalUnion
 #include "combine.glsl"    // opUnion, opSmoothUnion
 #include "coverage.glsl"   // coverage
@@ -9,7 +9,7 @@
 
 const vec3 TOWER = vec3(-15.5, 1.5, -6.4);
 const vec3 HOUSE = vec3(-16.0, 2.0, -8.9);
-const vec3 LANTERN = TOWER + vec3(0.0, 4.95, 0.0); // the lamp
+const vec3 LANTERN = TOWER + vec3(0.0, 4.95, 0.0); // position of the lamp
 
 // Flat rocks with ledges and clefts: folds of triangle waves, whose total slope is at most 0.7.
 float rockDistance(vec3 p)
@@ -24,7 +24,7 @@ float rockDistance(vec3 p)
 }
 
 // A tapered tower, a gallery, a lantern and a roof, all solids of revolution about one axis. Each
-// is an intersection, and so a lower bound.
+// is an intersection, so the distance is a lower bound.
 float towerDistance(vec3 p)
 {
     float r = length(p.xz - TOWER.xz), y = p.y - TOWER.y;
@@ -56,10 +56,10 @@ vec2 coastInterval(Ray ray)
     return intervalUnion(rocks, boxInterval(ray, TOWER - vec3(0.76, 0.5, 0.76), TOWER + vec3(0.76, 5.8, 0.76)));
 }
 
-// The material of the coast at a point: its colour, and in w the brightness of a lamp behind it.
+// The material of the coast at a point: its colour, and in w the brightness of a lamp behind the glass.
 //   part   from coastDistances
 //   tone   noise, in [0, 1)
-//   width  of the pixel there, scene units
+//   width  of the pixel at p, scene units
 vec4 coastColour(vec3 p, vec3 part, vec3 normal, float tone, float width)
 {
     const vec3 WHITE = vec3(0.78, 0.75, 0.70), RED = vec3(0.42, 0.05, 0.035), SLATE = vec3(0.14, 0.13, 0.15);

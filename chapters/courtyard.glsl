@@ -1,11 +1,12 @@
 // courtyard.glsl - a court with an arcade, the scene of chapters 14 and 15: its objects and their
-// materials. Light, camera and parameters belong to the chapters.
+// materials. Light, camera and parameters are in the chapters.
 //
-// x points to the right, y upwards, z towards the eye; one scene unit is a metre. The court is a
-// trough, which is the floor between the two side walls, with objects in it. Divisions find where a
-// ray meets the trough, and a march finds the objects: courtyardDistance is the distance to the
-// objects only. A search for everything that hides the sky takes the smaller of courtyardDistance
-// and troughDistance, or the nearer of the march's end and troughReached.
+// x points to the right, y upwards, z towards the eye; one scene unit is a metre. The court consists
+// of a trough, which is the floor and the two side walls, and of objects in the trough. The point
+// where a ray meets the trough is computed in closed form, and a march finds the objects:
+// courtyardDistance is the distance to the objects only. To find everything that hides the sky, use
+// the smaller of courtyardDistance and troughDistance, or the nearer of the march's end and
+// troughReached.
 #include "bounds.glsl"
 #include "cone.glsl"
 #include "coverage.glsl"
@@ -24,14 +25,14 @@ const float COURT_BACK = -6.20;                      // z of the gallery's rear 
 const vec2  COURT_EAVES = vec2(-3.3, 3.46);          // z and y of the roof's edge
 const float TILE = 0.27;                             // width of a tile
 const vec3  COURT_WELL = vec3(-2.15, 0.0, 0.30);     // foot of the axis of the well
-const vec3  COURT_JAR = vec3(2.90, 0.0, -2.85);      // foot of a jar; there is another at -x
+const vec3  COURT_JAR = vec3(2.90, 0.0, -2.85);      // foot of a jar; another jar is at -x
 const vec4  COURT_BALL = vec4(3.50, 0.68, -0.5, 0.68); // the larger box tree: centre and radius
 const vec4  COURT_SMALL_BALL = vec4(2.70, 0.36, 1.05, 0.36);
 const float COURT_PAVING = 0.95;                     // side of a paving stone
 const float COURT_JOINT = 0.018;                     // width of a joint, in paving stones
 
-const vec3  LIME = vec3(0.82, 0.79, 0.74);            // limewash; colours are reflected shares of light, linear RGB
-const vec3  DADO = vec3(0.56, 0.34, 0.23);            // the painted foot and top of the side walls
+const vec3  LIME = vec3(0.82, 0.79, 0.74);            // limewash; a colour is a share of reflected light, linear RGB
+const vec3  DADO = vec3(0.56, 0.34, 0.23);            // the painted bands at the foot and the top of the side walls
 const vec3  STONE = vec3(0.58, 0.55, 0.50);
 const vec3  PAVING = vec3(0.57, 0.53, 0.47);
 const vec3  CLAY = vec3(0.60, 0.26, 0.14);            // tiles and jars
@@ -41,9 +42,9 @@ const vec3  IRON = vec3(0.05, 0.055, 0.06);
 
 // ---- The objects ----
 
-// A convex corner of a figure in the plane, in a form that needs only one root for a union of many:
-// the square of the distance outside, and the negative depth inside. The smaller of two squares and
-// the smaller of two depths are those of the union.
+// A convex corner of a figure in the plane, in a form that needs only one square root for a union of
+// many corners: the square of the distance outside, and a signed depth, which is negative inside. For
+// the union of two corners, take the smaller square and the smaller depth.
 //   q        distances to two edges at right angles, each negative inside, scene units
 //   returns  (|max(q, 0)|^2, max(q.x, q.y)), for cornersDistance
 vec2 corner(vec2 q)
@@ -89,7 +90,7 @@ vec2 roofCorners(vec3 p)
     return corner(vec2(-q.x, max(min(tile, q.y - 0.05), -q.y - 0.03)));
 }
 
-// A ring of stone below a slab with a hole, and an iron bow above it.
+// A well: a ring of stone below a slab with a hole, and an iron bow above the slab.
 //   q  position relative to the foot of the axis, scene units
 vec2 wellCorners(vec3 q)
 {
@@ -109,7 +110,7 @@ vec2 jarCorners(vec3 q)
     return min(vec2(max(belly, 0.0) * belly, belly), min(corner(vec2(r.x - 0.24, r.y - 0.3)), neck));
 }
 
-// The two round box trees.
+// The distance to the two round box trees.
 float boxTreeDistance(vec3 p)
 {
     return min(sdSphere(p - COURT_BALL.xyz, COURT_BALL.w), sdSphere(p - COURT_SMALL_BALL.xyz, COURT_SMALL_BALL.w));
@@ -150,7 +151,7 @@ float troughReached(Ray ray)
 
 // ---- The materials ----
 
-// Flags of pale stone with thin joints; every other row is shifted by half a flag.
+// Paving stones with thin joints; every other row is shifted by half a stone.
 //   width  of the pixel on the floor, along x and z, scene units
 vec3 pavingColour(vec3 p, vec2 width)
 {
@@ -174,10 +175,10 @@ vec3 masonryColour(vec3 p, float grain)
     return door ? DOOR : (p.y < 0.62 && !side && !rear ? STONE * (0.92 + 0.12 * grain) : lower);
 }
 
-// The colour of a surface at a point; for the paving use pavingColour. The position tells which
-// object it is: there is nothing else around the well, nor below the roof around the jars, and a
-// point that is nearer to the roof than to the arcade's wall is on the roof. The distances are not
-// evaluated, because that would compile the scene once more.
+// The colour of a surface at a point; for the paving use pavingColour. The object is found from the
+// position: near the well and the jars there is no other object, apart from the roof above the jars,
+// and a point that is nearer to the roof than to the arcade's wall is on the roof. The distances are
+// not evaluated, because the scene would then be compiled once more.
 //   p        on a surface, scene units
 //   radius   the point is at most this far from the surface, scene units, > 0
 //   returns  share of the light that is reflected, linear RGB
@@ -206,13 +207,13 @@ struct Surface {
     vec3  p;      // scene units
     vec3  normal; // length 1; undefined if open
     vec3  colour; // share of the light that is reflected, linear RGB
-    float radius; // of the pixel's footprint there, scene units
+    float radius; // radius of the pixel's footprint at p, scene units
 };
 
-// March among the objects, then check the trough. The chapter's sceneDistance has to be
-// courtyardDistance here.
-//   ray                  from the eye, in the court
-//   tMin                 where the march may begin: up to there the ray is free, scene units
+// March among the objects, then check the trough. During this march, the chapter's sceneDistance
+// must be courtyardDistance.
+//   ray                  starts at the eye, which is in the court
+//   tMin                 where the march may begin: the ray meets no object before tMin, scene units
 //   threshold, maxSteps  of marchCone, which also takes pixelSpread()
 Surface courtyardSurfaceFrom(Ray ray, float tMin, float threshold, int maxSteps)
 {

@@ -1,10 +1,11 @@
-// reef.glsl - the reef of chapter 22: parts and lists from a table, and a march whose steps end where the cell of a
+// reef.glsl - the reef of chapter 22: parts and lists from a table, and a march whose steps end where a cell with a
 // list ends.
 //
 // The table is a picture of bytes, 512 texels wide, which shaders/textures/reef.c writes. It contains three reefs. For
-// each, eight texels at the start of the table say where its data begin. A part takes three texels, a cell one, and two
-// indices of parts share one. Byte 0 of a cell is the number of parts in its list. The other bytes are a whole number:
-// the position of the list or, if it is empty, 4096 times the distance from the cell's centre to the scene.
+// each reef, eight texels at the start of the table store where its data begin, and its grid. A part takes three
+// texels, a cell takes one, and two indices of parts share one. Byte 0 of a cell is the number of parts in its list.
+// The other bytes are a whole number: the position of the list or, if the list is empty, 4096 times the distance from
+// the cell's centre to the scene.
 #include "march.glsl"  // Hit, distanceAt
 #include "scene.glsl"
 #include "bounds.glsl" // boxInterval
@@ -29,12 +30,12 @@ int reefNumber(int i)
     return byte.y | byte.z << 8 | byte.w << 16;
 }
 
-// Where a reef's parts, cells and lists begin, and its grid.
+// The texels at which a reef's parts, cells and lists begin, and the grid of the reef.
 struct Grid {
     int count, partsAt, cellsAt, idsAt;
     ivec3 cells;
     vec3  low;
-    float size; // of a cell
+    float size; // side of a cell
 };
 
 Grid grid;
@@ -50,7 +51,7 @@ void readGrid()
 
 // ---- Parts ----
 
-int asked = 0; // parts evaluated for this pixel
+int asked = 0; // number of parts evaluated for this pixel
 
 // A part: the vector to p from the nearest point of its segment (xyz), and its radius (w).
 vec4 partAt(int id, vec3 p)
@@ -74,7 +75,7 @@ int listed(int position)
     return int(one.x + 256.0 * one.y + 0.5);
 }
 
-// opSmoothUnion with the width of this scene.
+// opSmoothUnion with the width BLEND.
 float blended(float a, float b)
 {
     float h = max(BLEND - abs(a - b), 0.0);
@@ -113,8 +114,8 @@ float listDistance(vec3 p, Cell cell)
 Cell  here;         // the cell of the last evaluation
 float listValue;    // value of the list of that cell, at the point of the last evaluation
 
-// A lower bound of the distance to the reef: the value of the list, at most MARGIN, in a cell that has one; elsewhere
-// the bound, at least MARGIN.
+// A lower bound of the distance to the reef: in a cell with a list, the value of the list, but at most MARGIN; in an
+// empty cell, the bound that follows from the distance at the cell's centre, but at least MARGIN.
 float reefDistance(vec3 p)
 {
     here = cellAt(p);
@@ -123,8 +124,8 @@ float reefDistance(vec3 p)
     return here.count > 0 ? min(listValue, MARGIN) : max(empty, MARGIN);
 }
 
-// How far a ray may advance from p after reefDistance: in a cell with a list by the value of the list, but no farther
-// than the cell's exit; in an empty cell by the distance, but at least to the exit.
+// How far a ray may advance from p after reefDistance: in a cell with a list, by the value of the list, but no farther
+// than to where the ray leaves the cell; in an empty cell, by the distance, but at least to where it leaves the cell.
 float roomAlong(vec3 p, vec3 direction, float distance)
 {
     vec3 to = (here.low + here.size * step(0.0, direction) - p) / direction;
@@ -154,24 +155,24 @@ Hit marchReef(Ray ray, float tMin, float tMax, float threshold, float spread, in
     return Hit(found, t);
 }
 
-// The interval of a ray inside the grid.
+// The interval in which a ray is inside the grid.
 vec2 reefInterval(Ray ray)
 {
     return boxInterval(ray, grid.low, grid.low + grid.size * vec3(grid.cells));
 }
 
-// The appearance of a point of the reef, mixed in proportion to the slopes of the smooth union.
+// The appearance of a point of the reef: the mean of the parts there, weighted by the slopes of the smooth union.
 struct Skin {
     vec3  normal;
     vec3  colour;
     float stone; // the share of stone
 };
 
-const int STONE = 14; // a colour of the table
+const int STONE = 14; // the upper four bits of paint for stone
 
 vec3 paintColour(int paint);
 
-// The skin at p. One pass through the list gives all of it, where normalAt alone would need six.
+// The skin at p. One pass through the list is enough for the whole skin, whereas normalAt alone would need six.
 Skin skinAt(vec3 p, bool wanted)
 {
     Cell cell = cellAt(p);

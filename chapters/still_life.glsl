@@ -2,7 +2,7 @@
 // which a ray can meet them. Their materials are in the chapter.
 //
 // x points to the right, y upwards from the table, z towards the camera; scene units. If an object
-// is a blend of two materials, its function returns two distances, and the chapter joins them.
+// is a blend of two materials, its function returns two distances, which the chapter blends.
 #include "bounds.glsl"
 #include "combine.glsl"
 #include "primitives.glsl"
@@ -12,10 +12,10 @@ const vec3  LOW = vec3(-0.82, -0.02, -1.20);     // opposite corners of a box ar
 const vec3  HIGH = vec3(2.82, 1.43, 1.38);
 const vec3  JUG_LOW = vec3(-2.14, -0.02, -1.16); // opposite corners of a box around the jug
 const vec3  JUG_HIGH = vec3(-0.64, 1.74, 0.16);
-const float HOLES = 0.24;                        // distance between holes of the ivory cube, scene units
+const float HOLES = 0.24;                        // distance between neighbouring holes in the ivory cube, scene units
 const float SILVER_RADIUS = 0.34;                // radius of the silver ball, scene units
 
-// A jug: a belly and a neck, round about an axis, blended and hollowed from above, and a handle.
+// A jug: a round belly and neck, blended with each other and hollowed from above, and a handle.
 float jugDistance(vec3 p)
 {
     p -= vec3(-1.3, 0.62, -0.5);
@@ -36,7 +36,7 @@ float bowlDistance(vec3 p)
 }
 
 // A lemon: a ball with a smaller ball at each end, mirrored so that only one end is evaluated. x is
-// the distance to the ball, y that to the ends.
+// the distance to the large ball, y the distance to the nearer small ball.
 vec2 lemonDistances(vec3 p)
 {
     p -= vec3(0.2, 0.93, -0.2);
@@ -44,7 +44,7 @@ vec2 lemonDistances(vec3 p)
     return vec2(sdSphere(p, 0.33), sdSphere(vec3(along, across, p.z), 0.07));
 }
 
-// A pear: x is the distance to its lower ball, y that to its upper ball.
+// A pear: x is the distance to its lower ball, y the distance to its upper ball.
 vec2 pearDistances(vec3 p)
 {
     p -= vec3(1.3, 0.42, 0.55);
@@ -77,7 +77,8 @@ float ivoryDistance(vec3 p)
     return opSubtraction(cube(p, 0.36), sdSphere(q, 0.148));
 }
 
-// A piece of wax between a cube and a ball: x is the distance to the cube, y that to the ball.
+// A piece of wax that changes from a cube to a ball: x is the distance to the cube, y the distance to
+// the ball.
 vec2 waxDistances(vec3 p)
 {
     p -= vec3(0.45, 0.18, 1.1);

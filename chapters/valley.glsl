@@ -5,13 +5,13 @@
 // the plane x right, y ahead.
 #include "inputs.glsl"     // iTime
 #include "land.glsl"
-#include "water.glsl"      // fourWaves; the planes of chapter 12 come with it
+#include "water.glsl"      // fourWaves; it includes the lookups of texture.glsl
 #include "bounds.glsl"     // boxInterval, intervalUnion
 #include "repetition.glsl" // cellRandom
 
 const vec2  AHEAD = vec2(-0.9063, -0.4226); // the direction ahead (north, east): 205 degrees
 const float CELLS = 0.08;                   // cells of the noise of the largest ridges per scene unit
-const vec2  SEED = vec2(31.2, 9.9);         // offset of the noise: other numbers give other mountains
+const vec2  SEED = vec2(31.2, 9.9);         // offset of the noise; another offset gives other mountains
 const float GAIN = 0.42;                    // weight of an octave of ridges relative to the one before
 const float LACUNARITY = 2.1;               // how much finer an octave is than the one before
 const mat2  TURN = mat2(0.8, 0.6, -0.6, 0.8); // rotation from octave to octave, so that no lattice is visible
@@ -29,7 +29,7 @@ uniform int octaves; // 4 in [1, 8]: octaves of the ridges in the march
 
 // A gap above the land is divided by way.x + way.y s where the slope is s, and a gap above the shore
 // by way.z. For a ray that climbs or descends by c per unit, way is oneWay(c). For all directions it
-// is (0.65, 1, 1.03): these divisors are at least sqrt(1 + s^2) for s >= HILL_SLOPE and the shore.
+// is (0.65, 1, 1.03): these divisors are at least sqrt(1 + s^2) for s >= HILL_SLOPE and for the shore.
 const vec3 ALL_WAYS = vec3(0.65, 1.0, 1.03);
 vec3 way = ALL_WAYS;
 
@@ -38,7 +38,7 @@ vec3 oneWay(float climb)
     return vec3(climb, 1.0, climb + SHORE_SLOPE);
 }
 
-// The gap between the land and the last point that landDistance was called for, scene units.
+// The vertical gap between the land and the point for which landDistance was last called, scene units.
 float overLand = 0.0;
 
 // Convert north and east to right and ahead in the valley, and back.
@@ -88,9 +88,9 @@ float hillsUnder(float y)
 // A lower bound of the distance to the land: the largest of several bounds. The first uses only the
 // hills: the land cannot reach p.y before the hills reach hillsUnder(p.y). Each octave of ridges
 // gives another bound, because the octaves that follow add at most the rest of the weights. Octaves
-// are evaluated while they can still enlarge the result. The shore has no ridges; the smaller of
-// its bound and that of the hills counts.
-//   count    octaves that the land has
+// are evaluated while they can still enlarge the result. The shore has no ridges; the result is the
+// smaller of the bound for the shore and the bound for the hills.
+//   count    number of octaves of the ridges
 //   returns  with ALL_WAYS a distance, 1-Lipschitz; otherwise the free length along a ray
 float landDistance(vec3 p, int count)
 {
@@ -147,9 +147,9 @@ vec4 landAt(vec2 q, float count)
     return vec4(base.x + high.x * rough.x, base.yz * (1.0 + high.y * rough.x) + high.x * rough.yz + 0.16 * grain, fine);
 }
 
-// Grass, rock and snow, depending on slope and height.
-//   chance  from landAt; without it all borders would be contour lines
-//   width   of the pixel there
+// The colour of the land: grass, rock or snow, depending on slope and height.
+//   chance  the value w of landAt; without it all borders would be contour lines
+//   width   of the pixel at p
 vec3 landColour(vec3 p, vec3 direction, vec3 normal, float chance, float width)
 {
     Footprint f = footprintOn(direction, normal, 0.577 * width);
@@ -183,7 +183,7 @@ Water wavesAt(vec2 p, Footprint f, float wind)
 
 // ---- The objects on the shore ----
 
-const vec3 CABIN = vec3(-0.50, 0.094, 0.74); // right, up, ahead
+const vec3 CABIN = vec3(-0.50, 0.094, 0.74); // position: right, up, ahead
 const float CABIN_SIZE = 1.35;
 const vec3 BOAT = vec3(0.62, 0.0, 1.75);
 const float CELL = 0.175;                   // side of a cell of the wood, scene units
@@ -222,8 +222,8 @@ float pineDistance(vec3 p, float height)
     return min(crown, max(across - 0.025 * height, abs(p.y - 0.1 * height) - 0.12 * height));
 }
 
-// The pine of a cell: its position (x, y ahead), the height of its foot (z) and its own height (w),
-// which is 0 if the cell has no pine.
+// The pine of a cell: its position (x right, y ahead), the height of the ground at its foot (z) and
+// the height of the pine (w), which is 0 if the cell has no pine.
 vec4 pineOf(vec2 cell)
 {
     float lot = cellRandom(ivec3(cell, 5)), other = fract(64.0 * lot);
@@ -270,8 +270,8 @@ float thingsDistance(vec3 p)
     return min(min(cabinDistance(local), pinesDistance(local)), boatDistance(local));
 }
 
-// The normal of an object near its surface, length 1: that of the roof or a wall, that of a cone
-// for a pine, or that of the sail.
+// The normal of an object at a point near its surface, length 1: for the cabin, the normal of the
+// roof or a wall; for a pine, the normal of a cone; for the boat, the normal of the sails.
 vec3 thingNormal(vec3 p)
 {
     vec3 local = localOf(p), q = atCabin(local);
@@ -299,9 +299,9 @@ vec4 thingColour(vec3 p, vec3 normal)
 
 // ---- The mirrored world ----
 
-// The point where the water mirrors a ray, and the direction from there. Below the water lies the
-// mirrored world: a ray that goes straight on meets there the image of whatever the mirrored ray
-// meets.
+// The point where the water mirrors a ray, and the direction of the mirrored ray. The mirrored world
+// lies below the water: a ray that goes straight on into it meets the image of whatever the mirrored
+// ray meets.
 struct Bend {
     bool  waves;     // false for level water, which is the same for every ray
     vec3  point;     // on the water
@@ -309,7 +309,7 @@ struct Bend {
 };
 Bend bend = Bend(false, vec3(0.0), vec3(0.0));
 
-// The point of the world that p represents.
+// The point of the world whose image is at p: above the water, p itself.
 vec3 unmirrored(vec3 p)
 {
     vec3 bent = bend.point + length(p - bend.point) * bend.direction;

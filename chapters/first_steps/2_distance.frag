@@ -1,6 +1,7 @@
 #version 330 core
-// First step 2: a distance. How far is this pixel from a circle? Positive outside (warm), negative
-// inside (blue), zero on the circle (white). The bands are lines of equal distance, 0.1 apart.
+// First step 2: a distance. How far is this pixel from a circle? The distance is positive outside
+// (warm colours), negative inside (blue) and zero on the circle (white). The bands are lines of
+// equal distance, 0.1 apart.
 
 in vec2 FragCoord;
 out vec4 FragColor;

@@ -7,7 +7,7 @@ out vec4 FragColor;
 
 float sceneDistance(vec3 p)
 {
-    float ball = length(p - vec3(0.0, 0.0, -3.0)) - 1.0; // centre, radius: move it, shrink it
+    float ball = length(p - vec3(0.0, 0.0, -3.0)) - 1.0; // try another centre or radius
     float ground = p.y + 1.0;
     return min(ball, ground);
 }
@@ -16,7 +16,7 @@ void main()
 {
     vec3 direction = normalize(vec3(FragCoord, -1.5));
     float t = 0.0; // distance travelled along the ray
-    float d = 1.0; // distance from there to the scene
+    float d = 1.0; // distance from that point to the scene
     for (int i = 0; i < 200 && d > 0.001 && t < 40.0; i++) { // try 8 instead of 200
         d = sceneDistance(t * direction);
         t += d;

@@ -22,7 +22,7 @@ void main()
     vec3 normal = normalize(vec3(sceneDistance(p + h.xyy) - sceneDistance(p - h.xyy),
                                  sceneDistance(p + h.yxy) - sceneDistance(p - h.yxy),
                                  sceneDistance(p + h.yyx) - sceneDistance(p - h.yyx)));
-    vec3 toLight = normalize(vec3(-2.5, 2.5, -0.5) - p); // the lamp; try vec3(2.0, 0.0, -2.0) - p
+    vec3 toLight = normalize(vec3(-2.5, 2.5, -0.5) - p); // to the lamp; try vec3(2.0, 0.0, -2.0) - p
     vec3 sky = vec3(0.5, 0.7, 1.0);
     vec3 colour = d <= 0.001 ? vec3(1.0, 0.9, 0.7) * (0.1 + 0.9 * max(dot(normal, toLight), 0.0)) : sky;
     FragColor = vec4(colour, 1.0);

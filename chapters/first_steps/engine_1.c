@@ -1,5 +1,5 @@
 // An engine of your own, step 1: a window and a triangle (docs/engine.md). GLFW opens the window,
-// OpenGL draws in it, and Backspace closes it. To build it without make:
+// OpenGL draws in it, and Backspace closes the window. To build the program without make:
 //
 // cc -o engine_1 chapters/first_steps/engine_1.c $(pkg-config --cflags --libs glfw3)
 
@@ -14,7 +14,7 @@
 
 enum { WIDTH = 640, HEIGHT = 360 };
 
-// The vertex shader places each corner, 0, 1 and 2. The screen extends from -1 to 1.
+// The vertex shader places corner 0, 1 or 2 of a triangle. The screen extends from -1 to 1.
 static const char vertex_text[] =
     "#version 330 core\n"
     "out vec2 FragCoord;\n"
@@ -62,7 +62,7 @@ static bool fail(const char *what, const char *why)
     return false;
 }
 
-// Get the addresses of the functions from the driver. Returns false if it lacks one.
+// Get the addresses of the functions from the driver. Returns false if the driver lacks one.
 static bool load_functions(void)
 {
     const char *missing = NULL;
@@ -73,7 +73,7 @@ static bool load_functions(void)
     return missing == NULL || fail(missing, "the driver lacks this function: update the driver");
 }
 
-// Let the driver compile a shader and attach it to the program. Returns false if it has an error.
+// Compile a shader and attach it to the program. Returns false if the shader has an error.
 static bool add_shader(GLuint program, GLenum kind, const char *text, const char *name)
 {
     GLuint shader = glCreateShader(kind);
@@ -136,7 +136,7 @@ static void show(GLFWwindow *window, GLuint program)
         glViewport(0, 0, width, height);
         glDrawArrays(GL_TRIANGLES, 0, 3);
         glfwSwapBuffers(window);           // show the result
-        glfwWaitEventsTimeout(1.0 / 60.0); // wait for keys, mouse or close button
+        glfwWaitEventsTimeout(1.0 / 60.0); // wait for input, for at most 1/60 s
     }
 }
 

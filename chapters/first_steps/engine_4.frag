@@ -1,10 +1,10 @@
 #version 330 core
-// A scene for step 4 of docs/engine.md: a ball and a box on a chequered floor. The engine says
-// where the eye is and where it looks.
+// A scene for step 4 of docs/engine.md: a ball and a box on a chequered floor. The engine sets the
+// position of the eye and the direction in which it looks.
 
 in vec2 FragCoord;
-uniform vec3 CamPos, Ex, Ey, Ez; // the eye; right, up and forward
-uniform float focal = 1.5;       // from the eye to the screen, in halves of the screen's height
+uniform vec3 CamPos, Ex, Ey, Ez; // position of the eye; right, up and forward
+uniform float focal = 1.5;       // distance from the eye to the screen, in half screen heights
 out vec4 FragColor;
 
 float sceneDistance(vec3 p)

@@ -1,5 +1,5 @@
 // An engine of your own, step 5: a texture, read from a PNG with libpng (docs/engine.md).
-// To build it without make:
+// To build the program without make:
 //
 // cc -o engine_5 chapters/first_steps/engine_5.c $(pkg-config --cflags --libs glfw3 libpng) -lm
 
@@ -17,9 +17,9 @@
 #include <GLFW/glfw3.h>
 #include <GL/glcorearb.h>
 
-enum { WIDTH = 640, HEIGHT = 360, TEXT = 65536 }; // pixels; bytes of a shader, at most
+enum { WIDTH = 640, HEIGHT = 360, TEXT = 65536 }; // pixels; upper limit of a shader's bytes
 
-#define FOCAL      1.5f  // from the eye to the screen, in halves of the screen's height
+#define FOCAL      1.5f  // distance from the eye to the screen, in half screen heights
 #define TILT_LIMIT 1.55f // radians, just below a right angle
 #define SPEED      2.0   // scene units per second
 
@@ -32,8 +32,8 @@ struct camera {
     double pointer[2]; // position of the pointer in the last frame
 };
 
-// The vertex shader places each corner, 0, 1 and 2. The screen extends from -1 to 1. FragCoord has
-// the same unit in both directions, half the height of the picture.
+// The vertex shader places corner 0, 1 or 2 of a triangle. The screen extends from -1 to 1.
+// FragCoord has the same unit in both directions, half the height of the picture.
 static const char vertex_text[] =
     "#version 330 core\n"
     "uniform vec2 size;  // of the picture, in pixels\n"
@@ -88,7 +88,7 @@ static bool fail(const char *what, const char *why)
     return false;
 }
 
-// Get the addresses of the functions from the driver. Returns false if it lacks one.
+// Get the addresses of the functions from the driver. Returns false if the driver lacks one.
 static bool load_functions(void)
 {
     const char *missing = NULL;
@@ -109,7 +109,7 @@ static bool read_text(const char *path, char text[TEXT])
     int error = ferror(file) ? errno : 0; // a folder can be opened, but not read
     fclose(file);
     if (error != 0 || size == TEXT)
-        return fail(path, error != 0 ? strerror(error) : "too long: a shader has less than 64 KiB");
+        return fail(path, error != 0 ? strerror(error) : "too long: a shader must be under 64 KiB");
     text[size] = '\0';
     return true;
 }
@@ -123,8 +123,8 @@ static double saved_at(const char *path)
     return (double)about.st_mtim.tv_sec + 1e-9 * (double)about.st_mtim.tv_nsec;
 }
 
-// Report the first error of a driver's log. Drivers write the line as 0:13 or 0(13), after other
-// words or before them, and the message after the next colon and space. Always returns false.
+// Report the first error in a driver's log. Drivers write line 13 as 0:13 or 0(13), before or after
+// other words, and the message after the next colon and space. Always returns false.
 static bool fail_at_line(const char *name, const char *log)
 {
     const char *at = strpbrk(log, "0123456789");
@@ -136,7 +136,7 @@ static bool fail_at_line(const char *name, const char *log)
     return fail(what, message + 2);
 }
 
-// Let the driver compile a shader and attach it to the program. Returns false if it has an error.
+// Compile a shader and attach it to the program. Returns false if the shader has an error.
 static bool add_shader(GLuint program, GLenum kind, const char *text, const char *name)
 {
     GLuint shader = glCreateShader(kind);
@@ -174,8 +174,8 @@ static GLuint make_program(const char *path)
     return right ? program : 0;
 }
 
-// Make the program of the file and use it, if the file was saved since the last time. Returns the
-// old program if nothing changed or the file has an error, so that the last good picture stays.
+// Make a program from the file and use it if the file has been saved since the last call. Returns
+// the old program if nothing changed or the file has an error, so that the last good picture stays.
 static GLuint reload(GLuint program, const char *path, double *saved)
 {
     double now = saved_at(path);
@@ -210,8 +210,8 @@ static GLFWwindow *open_window(void)
     return window;
 }
 
-// Copy a picture into texture unit 0, with its levels. Its bytes are colours for a screen (sRGB):
-// the texture unit decodes them before it averages them.
+// Copy a picture into texture unit 0 and compute its mipmap levels. The bytes are colours encoded
+// for a screen (sRGB), which the texture unit decodes before it averages them.
 static void make_texture(const png_image *png, const void *pixels)
 {
     GLuint texture = 0; // freed with the context
@@ -237,7 +237,7 @@ static bool load_texture(const char *path)
     }
     png.format = PNG_FORMAT_RGBA;
     void *pixels = malloc(PNG_IMAGE_SIZE(png));
-    // A negative length of the rows puts the bottom row first, as OpenGL expects it.
+    // A negative row stride puts the bottom row first, as OpenGL expects.
     bool read =
         pixels != NULL &&
         png_image_finish_read(&png, NULL, pixels, -(png_int_32)PNG_IMAGE_ROW_STRIDE(png), NULL);
@@ -257,7 +257,7 @@ static void set_basis(struct camera *camera)
     memcpy(camera->basis, rows, sizeof rows);
 }
 
-// Let a drag turn the camera and the keys move it, whatever the number of frames per second.
+// Turn the camera by dragging and move it with the keys, at the same speed at any frame rate.
 static void move_camera(struct camera *camera, GLFWwindow *window, double seconds)
 {
     int height = 0;
@@ -271,7 +271,7 @@ static void move_camera(struct camera *camera, GLFWwindow *window, double second
         camera->tilt = fmaxf(-TILT_LIMIT, fminf(TILT_LIMIT, camera->tilt));
     }
     set_basis(camera);
-    static const int keys[3][2] = {{GLFW_KEY_A, GLFW_KEY_D}, // minus and plus, for each row
+    static const int keys[3][2] = {{GLFW_KEY_A, GLFW_KEY_D}, // against and along each basis vector
                                    {GLFW_KEY_C, GLFW_KEY_SPACE},
                                    {GLFW_KEY_S, GLFW_KEY_W}};
     float way[3], length = 0.0f;
@@ -299,7 +299,7 @@ static void draw(GLuint program, const struct camera *camera, int width, int hei
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-// Draw again and again until the window is closed. Returns false if no first program can be made.
+// Draw again and again until the window is closed. Returns false if the first program is invalid.
 static bool show(GLFWwindow *window, const char *path, struct camera *camera)
 {
     double saved = -1.0, before = 0.0;
@@ -315,7 +315,7 @@ static bool show(GLFWwindow *window, const char *path, struct camera *camera)
         draw(program, camera, width, height, now);
         before = now;
         glfwSwapBuffers(window);           // show the result
-        glfwWaitEventsTimeout(1.0 / 60.0); // wait for keys, mouse or close button
+        glfwWaitEventsTimeout(1.0 / 60.0); // wait for input, for at most 1/60 s
     }
     return true;
 }

@@ -1,10 +1,10 @@
 #version 330 core
-// The scene of engine_4.frag on a floor of wood. The picture repeats every 2 units, and its texels
-// arrive decoded: as light.
+// The scene of engine_4.frag on a wooden floor. The picture repeats every 2 units, and its texels
+// are already decoded to linear light.
 
 in vec2 FragCoord;
-uniform vec3 CamPos, Ex, Ey, Ez; // the eye; right, up and forward
-uniform float focal = 1.5;       // from the eye to the screen, in halves of the screen's height
+uniform vec3 CamPos, Ex, Ey, Ez; // position of the eye; right, up and forward
+uniform float focal = 1.5;       // distance from the eye to the screen, in half screen heights
 uniform sampler2D picture;
 out vec4 FragColor;
 
@@ -34,7 +34,7 @@ vec3 normalAt(vec3 p)
                           sceneDistance(p + h.yyx) - sceneDistance(p - h.yyx)));
 }
 
-// Light as a number for the screen (chapter 02).
+// Encode light for the screen, as in chapter 02.
 vec3 encodeSRGB(vec3 light)
 {
     vec3 v = clamp(light, 0.0, 1.0);
@@ -45,7 +45,7 @@ void main()
 {
     vec3 direction = normalize(FragCoord.x * Ex + FragCoord.y * Ey + focal * Ez);
     vec2 below = CamPos.xz - CamPos.y / direction.y * direction.xz; // where this ray meets y = 0
-    vec3 ground = texture(picture, 0.5 * below).rgb; // in every pixel: neighbours determine the level
+    vec3 ground = texture(picture, 0.5 * below).rgb; // in every pixel: neighbouring pixels determine the mipmap level
     vec3 colour = mix(vec3(0.62, 0.75, 0.9), vec3(0.2, 0.42, 0.8), max(direction.y, 0.0));
     float t = march(CamPos, direction);
     if (t < 40.0) {
