@@ -30,7 +30,7 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-vec3 cubePlace(vec3 p)
+vec3 cubePoint(vec3 p)
 {
     return vec3(0.8 * p.x + 0.6 * p.z, p.y, 0.8 * p.z - 0.6 * p.x);
 }
@@ -42,7 +42,7 @@ float sceneDistance(vec3 p)
     if (STRESS == 1)
         return p.y - GROUND;
     if (STRESS == 2)
-        return sdBoxFrame(cubePlace(p), CUBE, BEAM);
+        return sdBoxFrame(cubePoint(p), CUBE, BEAM);
     float nearest = 1e9;
     for (int i = 0; i < PLATES; i++)
         nearest = min(nearest, sdBox(p - vec3(0.0, APART * float(i - PLATES / 2), 0.0), PLATE));
@@ -78,7 +78,7 @@ float fallAlong(vec3 p, vec3 v, float reach)
         return -v.y;
     float fall = -1.0;
     if (STRESS == 2) {
-        vec3 q = cubePlace(p), u = cubePlace(v);
+        vec3 q = cubePoint(p), u = cubePoint(v);
         for (int i = 0; i < 12; i++) {
             vec3 side = vec3(i % 2, i / 2 % 2, 0.0) * 2.0 - vec3(1.0, 1.0, 0.0), size = vec3(BEAM, BEAM, CUBE.z);
             side *= CUBE.x - BEAM;

@@ -10,6 +10,6 @@ vec3 rayColour(Ray ray)
     vec3 colour = chapterRayColour(ray);
     vec2 way = planePoint(screenPosition(gl_FragCoord.xy + iPixelOffset)) - rayStart;
     float away = length(way);
-    Ray toPlace = Ray(vec3(rayStart, 0.0), vec3(way / max(away, 1e-6), 0.0));
-    return march(toPlace, 0.0, away, hitThreshold, maxSteps).found ? 0.6 * colour : colour;
+    Ray toPoint = Ray(vec3(rayStart, 0.0), vec3(way / max(away, 1e-6), 0.0));
+    return march(toPoint, 0.0, away, hitThreshold, maxSteps).found ? 0.6 * colour : colour;
 }

@@ -146,13 +146,14 @@ double measure_outline_theory(double threshold)
 // those of them whose red channel in the picture is less than 0.7 of the expected value.
 static void count_acne(const struct camera *camera, const float *values, int *lit, int *dark)
 {
+    static const double offset[3] = {-3.0, 3.0, 0.0}; // pixels; the sample at 0 is kept
     struct mirror_eye eye = {.camera = *camera};
     for (int i = 0; i < WIDTH * HEIGHT; i += 3) {
         bool whole = true;
         struct mirror_sample sample = {0};
-        for (int k = -1; k <= 1 && whole; k++) {
-            eye.x = mirror_screen_x(i % WIDTH + 0.5 + 3.0 * k, WIDTH, HEIGHT);
-            eye.y = mirror_screen_y(i / WIDTH + 0.5 + 3.0 * k, HEIGHT);
+        for (int k = 0; k < 3 && whole; k++) {
+            eye.x = mirror_screen_x(i % WIDTH + 0.5 + offset[k], WIDTH, HEIGHT);
+            eye.y = mirror_screen_y(i / WIDTH + 0.5 + offset[k], HEIGHT);
             sample = mirror_stage(&eye);
             whole = strcmp(sample.what, "stage") == 0 && sample.faces && !sample.shadowed;
         }
