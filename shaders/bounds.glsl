@@ -4,11 +4,11 @@
 // The interval in which a ray is inside a box with axis-aligned faces.
 //   low, high  opposite corners, scene units, low < high in each component
 //   returns    (entry, exit) along the ray, entry >= 0; entry > exit if the ray misses the box
-//   formula    per axis the ray is between the two faces while t is between (low - o) / d and
+//   formula    on each axis, the ray is between the two faces while t is between (low - o) / d and
 //              (high - o) / d; the result is the intersection of the three intervals and of t >= 0
-// A zero component of the direction divides by zero. GLSL 3.30 leaves the quotient unspecified; where it is
-// infinite, as IEEE 754 and later versions of GLSL require, the comparisons still come out right. Only an
-// origin in the plane of a face then gives a NaN, so make the box a little larger than its contents.
+// A component of the direction that is 0 causes a division by 0. GLSL 3.30 leaves the quotient unspecified; if it
+// is infinite, as IEEE 754 and later versions of GLSL require, the result is still correct. In that case only an
+// origin in the plane of a face gives a NaN, so make the box a little larger than its contents.
 // Source: T. L. Kay and J. T. Kajiya, 'Ray tracing complex scenes', SIGGRAPH 1986.
 vec2 boxInterval(Ray ray, vec3 low, vec3 high)
 {

@@ -22,21 +22,21 @@ float softDiscArea(float radius, float width)
 //   radius   of the ball, > 0
 //   index    of refraction of the ball, in (1, 1.53]; with a larger index, or more than 13 radii behind the ball, light
 //            falls outside the area that is searched
-//   spread   radius that the lamp would have at a distance of 1; it blurs the light over a width of spread z
+//   spread   radius that the lamp would have at a distance of 1; the light is blurred over a width of spread z
 //   formula  a ray at b = radius sin(i) from the axis is turned by D = 2 (i - j), sin(j) = sin(i) / index, and
-//            leaves on a line that also passes the centre at the distance b: at z behind the centre this line is
-//            r = (b - z sin(D)) / cos(D) from the axis; it begins at the exit, z = radius cos(D - i). The beam is cut
-//            into rings of b. A ring's light, minus the light that both surfaces mirror, is spread evenly over the ring
-//            between its two r: (b^2 - b'^2) / (r^2 - r'^2), with both rims as wide as the blur
-// The result is neither a bound nor exact. It leaves out light that is mirrored inside, absorption, and the grazing
-// rays beyond 0.96 radius, which are 0.037 of the light that passes. On a plane that faces the lamp, the rest has the
-// right total to within 0.005, but its distribution within a ring is an assumption.
+//            leaves on a line that is also b from the centre: at z behind the centre this line is
+//            r = (b - z sin(D)) / cos(D) from the axis; the line begins at the exit, z = radius cos(D - i). The beam is
+//            cut into rings of b. A ring's light, minus the light that the two surfaces reflect, is spread evenly over
+//            the ring between its two r: (b^2 - b'^2) / (r^2 - r'^2), with both rims as wide as the blur
+// The result is neither a bound nor exact. It leaves out light that is reflected inside, absorption, and the grazing
+// rays beyond 0.96 radius, which carry 0.037 of the light that passes. On a plane that faces the lamp, the remaining
+// light has the right total to within 0.005, but its distribution within a ring is an assumption.
 float ballCaustic(vec3 p, vec3 toLight, float radius, float index, float spread)
 {
     float z = -dot(p, toLight), r = length(p + z * toLight), width = max(spread * z, 0.002 * radius);
-    float light = 0.0, before = 0.0, within = 0.0; // before: r, within: b^2 at the ring's inner rim
-    float passed = 1.0 - fresnelShare(1.0, 1.0 / index); // the share that passes there
-    int rings = z > 0.0 && r < max(radius, 2.5 * z) + width ? CAUSTIC_RINGS : 0; // no ray turns by 70 degrees
+    float light = 0.0, before = 0.0, within = 0.0; // r and b^2 at the ring's inner rim
+    float passed = 1.0 - fresnelShare(1.0, 1.0 / index); // the share that passes at the inner rim
+    int rings = z > 0.0 && r < max(radius, 2.5 * z) + width ? CAUSTIC_RINGS : 0; // rays turn by less than 70 degrees
     for (int k = 1; k <= rings; k++) {
         float sine = 0.96 * float(k) / float(CAUSTIC_RINGS), inner = sine / index;
         float cosine = sqrt(1.0 - sine * sine), innerCosine = sqrt(1.0 - inner * inner);

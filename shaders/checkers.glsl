@@ -3,22 +3,22 @@
 
 // The smallest rectangle, with its sides along the pattern's axes, that contains the footprint of a pixel on a plane.
 struct Footprint {
-    vec2 middle; // of the rectangle, in units of the pattern
-    vec2 width;  // its sides, > 0
+    vec2 middle; // centre of the rectangle, in units of the pattern
+    vec2 width;  // sides of the rectangle, > 0
 };
 
-// The footprint of a pixel on the plane through a point, exact for a plane: it is found from the intersections of
-// the plane with the rays through the four corners of the pixel.
+// The footprint of a pixel on the plane through a point, found from the intersections of the plane with the rays
+// through the four corners of the pixel. It is exact if the surface is a plane.
 //   p          point of the plane seen in the middle of the pixel, scene units
 //   direction  of the ray through that middle, length 1
 //   normal     of the plane, length 1
 //   halfPixel  half the side of the pixel at p, perpendicular to the view direction, scene units, > 0
-//   bend       how much the direction changes from p to a point beside it, per scene unit: 1 / distance
-//              from the eye for rays that meet there, 0 for parallel rays
+//   bend       how much the direction changes from p to a point beside p, per scene unit: 1 / distance
+//              from the eye for rays that meet at the eye, 0 for parallel rays
 //   axes       the pattern's two axes in the plane, each of length 1 / (scene units per unit of the pattern); a point
 //              has the pattern coordinates p * axes
-//   formula    corner = p + e - d dot(normal, e) / dot(normal, d), where e leads to a corner of the pixel,
-//              halfPixel (+-right +-up), and d = direction + bend e
+//   formula    corner = p + e - d dot(normal, e) / dot(normal, d), where e = halfPixel (+-right +-up) leads from p
+//              to a corner of the pixel, and d = direction + bend e
 // If the ray through a corner passes above the horizon, there is no rectangle: the width is 1e6, and the pattern
 // becomes its mean.
 Footprint planeFootprint(vec3 p, vec3 direction, vec3 normal, float halfPixel, float bend, mat2x3 axes)
@@ -44,9 +44,9 @@ Footprint planeFootprint(vec3 p, vec3 direction, vec3 normal, float halfPixel, f
 // floor(x) + floor(y).
 //   middle, width  the rectangle, in sides of a square; widths > 0, not much less than 1e-4 of |middle|,
 //                  because a float cannot represent the position more precisely
-//   formula  1/2 + 1/2 X Y, with X the mean of s(x) = 1 where floor(x) is even, else -1:
-//            X = (S(x + w/2) - S(x - w/2)) / w, S(x) = 1 - |mod(x, 2) - 1| the integral of s; Y likewise
-//   Exact: over a rectangle, the mean of a product of functions of x and of y is the product of their means
+//   formula  1/2 + 1/2 X Y, where X is the mean of s(x), which is 1 where floor(x) is even and -1 elsewhere:
+//            X = (S(x + w/2) - S(x - w/2)) / w, S(x) = 1 - |mod(x, 2) - 1| the integral of s; Y likewise. This is
+//            exact: over a rectangle, the mean of a product of functions of x and of y is the product of their means
 // Source: I. Quilez, 'Box-filtering of procedural patterns', in the form of the workshop's checkers.
 float checkers(vec2 middle, vec2 width)
 {

@@ -5,15 +5,15 @@
 #include "primitives.glsl"
 #include "repetition.glsl"
 
-const float PERIOD = 6.0;     // between the middles of neighbouring blocks
+const float PERIOD = 6.0;     // distance between the centres of neighbouring blocks
 const float GAP = 1.35;       // half a street: no tower comes closer to the border of its block
-const float TALLEST = 9.3;    // no tower is higher
-const vec3  BAY = vec3(0.36, 0.4, 0.36); // size of a window with the wall around it; a floor is 0.4 high
-const vec3  LAMP = vec3(0.26, 1.08, 0.0); // position of a lamp's bulb, from the foot of its post
+const float TALLEST = 9.3;    // no tower is taller
+const vec3  BAY = vec3(0.36, 0.4, 0.36); // size of a window with the wall around it, one floor high
+const vec3  LAMP = vec3(0.26, 1.08, 0.0); // position of a lamp's bulb, relative to the foot of its post
 
 // A point in its block, and the block's random number.
 struct Block {
-    vec3  local;  // from the middle of the block, on the ground
+    vec3  local;  // relative to the centre of the block, on the ground
     float random; // in [0, 1)
 };
 
@@ -25,7 +25,7 @@ Block blockAt(vec3 p)
 }
 
 // A tower is a shaft on a base: two boxes without bottoms, whose widths and heights are whole numbers of windows.
-// Each of the two functions returns how far a point lies outside the faces of its box, per axis; negative inside.
+// Each of the next two functions returns how far a point is outside the faces of a box, per axis; negative inside.
 //   the largest component  the exact distance in front of a face, a lower bound in front of an edge, the exact depth
 //                          inside
 vec3 outsideShaft(Block block)
@@ -41,15 +41,15 @@ vec3 outsideBase(Block block)
     return vec3(abs(block.local.x), block.local.y - 0.08, abs(block.local.z)) - vec3(4.5, floors, 4.5) * BAY;
 }
 
-// The position relative to the foot of the lamp on the pavement. The two pavements of a street along z are
-// folded into one.
+// The position relative to the foot of the lamp on the pavement. The pavements on the two sides of the block, which
+// run along z, are folded into one.
 //   local  from a Block
 vec3 pavement(vec3 local)
 {
     return vec3(abs(local.x) - 2.1, local.yz);
 }
 
-// The distance to a lamp, which consists of a post, an arm over the street and a bulb. Exact outside.
+// The distance to a lamp, which consists of a post, an arm over the street and a bulb. It is exact outside.
 //   q  from pavement
 float lampDistance(vec3 q)
 {
@@ -58,7 +58,7 @@ float lampDistance(vec3 q)
     return min(min(post, arm), sdSphere(q - LAMP, 0.045));
 }
 
-// The position relative to the nearest point of a crown's axis. The trees on either side of a lamp are folded into one.
+// The position relative to the nearest point on a crown's axis. The trees on either side of a lamp are folded into one.
 //   q  from pavement
 vec3 treeAxis(vec3 q)
 {
@@ -70,13 +70,13 @@ vec3 treeAxis(vec3 q)
 float treeDistance(vec3 q)
 {
     vec3 c = treeAxis(q);
-    float crown = 0.98 * (length(c) - 0.3 + 0.2 * (q.y - c.y)); // the taper's slope is 0.2
+    float crown = 0.98 * (length(c) - 0.3 + 0.2 * (q.y - c.y)); // 0.2 is the slope of the taper
     return min(crown, max(length(c.xz) - 0.03, q.y - 0.6));
 }
 
 // A lower bound of the distance to the city, 1-Lipschitz. Only the tower of the point's own block is evaluated, and no
 // step is longer than the distance to the border of the block plus half a street.
-//   formula  min(own tower, border + GAP, lamps, trees)
+//   formula  min(tower of the block, distance to the border + GAP, lamps, trees)
 float cityDistance(vec3 p)
 {
     Block block = blockAt(p);
@@ -91,7 +91,8 @@ float cityDistance(vec3 p)
 // post, the direction away from the axis.
 //   block        of a point on the surface
 //   tower, lamp  whether the surface belongs to a tower or a lamp; otherwise it belongs to a tree
-// On a post, the component along z is never negative: the half that faces -z has the mirrored normals of the other.
+// On a post, the component along z is never negative: the half that faces -z has the mirror images of the normals of
+// the other half.
 vec3 cityNormal(Block block, bool tower, bool lamp)
 {
     vec3 base = outsideBase(block), shaft = outsideShaft(block), q = pavement(block.local);

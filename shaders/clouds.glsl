@@ -15,10 +15,10 @@ const float QUARTER_TURN = 1.5707963;
 //   climb     the direction's y, in [-1, 1]
 //   altitude  of the sphere above the ground, km, > height
 //   returns   km: altitude - height straight up, about sqrt(2 EARTH_RADIUS altitude) horizontally from the ground
-//   formula   c / (b + s) where b >= 0, else s - b; b = (R + height) climb, c = (altitude - height) (2 R +
+//   formula   c / (b + s) where b >= 0, otherwise s - b; b = (R + height) climb, c = (altitude - height) (2 R +
 //             altitude + height), s = sqrt(b^2 + c): the positive root of t^2 + 2 b t - c. No two nearly equal numbers
-//             are subtracted: the error is a few units in the last place. Exact; the function does not check whether
-//             the ground hides the point
+//             are subtracted, so the error is a few units in the last place. The formula is exact, but it does not
+//             check whether the ground hides the point
 float layerHit(float height, float climb, float altitude)
 {
     float b = (EARTH_RADIUS + height) * climb;
@@ -28,8 +28,8 @@ float layerHit(float height, float climb, float altitude)
 }
 
 // The direction in which an eye at the centre of the panorama sees the point where a ray meets a layer. With this
-// direction instead of the ray's, the clouds overhead move when the eye does, and those at the horizon hardly move.
-//   eye       relative to the centre, km: x and z along the ground, a few km at most, y above it
+// direction instead of the ray's, the clouds overhead move when the eye moves, and those at the horizon hardly move.
+//   eye       relative to the centre, km: x and z along the ground, a few km at most, y above the ground
 //   direction, altitude  as for layerHit
 //   returns   length 1
 vec3 seenFromMiddle(vec3 eye, vec3 direction, float altitude)
@@ -40,7 +40,7 @@ vec3 seenFromMiddle(vec3 eye, vec3 direction, float altitude)
 // ---- A panorama ----
 
 // The position of a direction in a panorama of the upper half of the sky.
-//   direction  length 1; one below the horizon counts as horizontal
+//   direction  length 1; a direction below the horizon counts as horizontal
 //   returns    u, turns from north through east, in [-1/2, 1/2], with a jump at the south; v, the square root of the
 //              height above the horizon, where a quarter turn is 1
 vec2 panoramaUV(vec3 direction)
@@ -53,8 +53,8 @@ vec2 panoramaUV(vec3 direction)
 
 // The size of a pixel in a panorama, in u and in v, from the slopes of panoramaUV without its jump.
 //   width  angle of a pixel, radians
-//   formula  width / (2 pi cos h), width / (pi v), h the height; near the zenith and the horizon, where one of the two
-//            is infinite, the value one pixel's width away
+//   formula  width / (2 pi cos h) and width / (pi v), where h is the height. At the zenith or the horizon, where one of
+//            them is infinite, and within a pixel's width of it, the value one pixel's width away
 vec2 panoramaFootprint(vec3 direction, float width)
 {
     float level = max(length(direction.xz), width), v = panoramaUV(direction).y;
@@ -73,10 +73,10 @@ struct Cloud {
 //   panorama  cover, above and 1/2 + side / 2 as red, green and blue; repeats in u
 //   turned    turns by which the clouds have drifted, from east to north
 //   the other parameters are those of panoramaFootprint
-// High up, a texel is half a degree high but narrow, so the footprint is at least a large part of that height. At the
-// zenith a pixel contains every u, and a mip level that coarse would average the whole panorama, including clouds at
-// the horizon. So a pixel counts as at most twice as many texels in u as in v, in a panorama 6.4 times as wide as it is
-// high.
+// High in the sky, a texel is half a degree high but narrow, so the footprint is enlarged to at least a large part of
+// that height. At the zenith a pixel contains every u, and a mip level that coarse would average the whole panorama,
+// including clouds at the horizon. Therefore the footprint is at most twice as many texels in u as in v, if the
+// panorama is 6.4 times as wide as it is high.
 Cloud cloudPanorama(sampler2D panorama, vec3 direction, float turned, float width)
 {
     vec2 uv = panoramaUV(direction), reach = panoramaFootprint(direction, max(width, 0.006 * uv.y * uv.y));
@@ -104,7 +104,7 @@ Cloud cloudLayer(sampler2D layer, vec3 eye, vec3 direction, float altitude, floa
 }
 
 // One cloud in front of another.
-//   near, far  the far cloud counts only as far as the near one lets light through
+//   near, far  the far cloud counts in proportion to the light that the near cloud lets through
 Cloud cloudOver(Cloud near, Cloud far)
 {
     float left = 1.0 - near.cover;
@@ -119,10 +119,10 @@ Cloud cloudShare(Cloud cloud, float share)
 
 // ---- Light ----
 
-// The sine of the sun's height above the horizon of the clouds, which is lower than that of the ground.
+// The sine of the sun's height above the horizon of the clouds, which is lower than the horizon of the ground.
 //   sinHeight  sine of the sun's height above the horizon of the ground
 //   altitude   of the clouds, km
-//   formula    sin(h + sqrt(2 altitude / EARTH_RADIUS)), h small
+//   formula    sin(h + sqrt(2 altitude / EARTH_RADIUS)) for a small h, at most 1
 float cloudSunHeight(float sinHeight, float altitude)
 {
     return min(sinHeight + sqrt(2.0 * altitude / EARTH_RADIUS), 1.0);
@@ -136,7 +136,7 @@ float cloudSunHeight(float sinHeight, float altitude)
 //   formula    skylight (cover + 3 above) / 4 + sunlight (x^2 X + y^2 Y + z^2 Z + lining), with (x, y, z) the
 //              components of the direction to the sun to the right, up and away from the eye, whose squares add up to
 //              1; X, Y, Z the light that arrives along each axis from the side on which the sun is; lining =
-//              2 glow(0.7) (4 cover (1 - cover) + above / 8), because thin vapour scatters light nearly straight ahead.
+//              2 glow(0.7) (4 cover (1 - cover) + above / 8), because thin cloud scatters light nearly straight ahead.
 //              The model is fitted by eye
 // Source: the squares as weights, J. Mitchell, G. McTaggart, C. Green, 'Shading in Valve's Source engine',
 // SIGGRAPH 2006.
@@ -156,7 +156,7 @@ vec3 cloudLight(Cloud cloud, vec3 direction, vec3 sun, vec3 sunlight, vec3 skyli
 
 // The shares of the fair panorama, of the storm panorama, and of an overcast sky, in [0, 1]. The storm appears behind
 // the fair clouds before they disappear.
-//   weather  1 fair, 0.5 bad
+//   weather  from 1 (fair) to 0.5 (bad)
 float fairShare(float weather)
 {
     return smoothstep(0.5, 0.7, weather);
@@ -199,8 +199,8 @@ vec3 overcastSky(float sinHeight, vec3 white)
     return 3.0 / 7.0 * white * (1.0 + 2.0 * max(sinHeight, 0.0));
 }
 
-// The light of a horizontal white surface under an overcast sky. It is a fifth of the light in clear weather, a value
-// chosen by eye, and slightly blue.
+// The light of a horizontal white surface under an overcast sky. It is slightly blue and about a fifth of the light in
+// clear weather; the factors are chosen by eye.
 //   clear  the light of the same surface under the clear sky and its sun
 vec3 overcastWhite(vec3 clear)
 {
@@ -209,8 +209,8 @@ vec3 overcastWhite(vec3 clear)
 
 // The share of the light that haze and rain remove, per kilometre.
 //   weather  as for fairShare
-//   formula  0.02 in fair weather, growing to 0.1 in bad: Koschmieder's visual range, 3.9 / density, is 200 km and
-//            39 km
+//   formula  0.02 in fair weather, growing to 0.1 in bad weather: Koschmieder's visual range, 3.9 / density, falls
+//            from 195 km to 39 km
 float hazeDensity(float weather)
 {
     return 0.02 + 0.08 * overcastShare(weather);
@@ -224,7 +224,7 @@ float rainShare(float weather)
 
 // The share of a pixel filled by falling drops, drawn out into streaks by a shutter that is open for about a tenth of a
 // second. There are two sheets of rain, one behind the other. A streak is at least a pixel wide, and the wider it is,
-// the fainter it is, so that a picture of few pixels has as much rain as one of many.
+// the fainter it is, so that a picture of few pixels has as much rain as a picture of many.
 //   screen  y from -1 to 1, x from -aspect to aspect
 //   time    seconds
 //   pixel   height of a pixel, in the units of screen

@@ -6,21 +6,22 @@
 //
 // The pass loses nothing, for the following reason. The ball of radius r(t) = radius + t spread around the axis at t
 // contains the points at t of all rays of the block. Let the cone be at t, where the scene is at distance d. Let m be
-// at least coarseMargin at all points up to t + d. Later, at t + h, a point of a ray is at most
-// sqrt(r(t + h)^2 + 2 h ahead + h^2) from the axis point at t. While that is at most d - m, the point lies in the
+// at least coarseMargin at all points up to t + d. Farther on, at t + h, a point of a ray is at most
+// sqrt(r(t + h)^2 + 2 h ahead + h^2) from the axis point at t. While this root is at most d - m, the point lies in the
 // empty ball of radius d, at least m from its rim, so the scene is at least m away. The root grows with h, so the
 // same is true of all points in between. The step is the largest such h, the root of a quadratic; if there is none,
-// the pass ends. So at every t below the start, on every ray of the block, a march would have gone on. A march that
-// begins at the start misses no surface, and no point that it would have counted as a hit.
+// the cone's march ends there, at the start of the block's rays. At every t before the start, the march of any of these
+// rays would have gone on. Therefore a march from the start misses no surface and no point that counts as a hit.
 //
 // Requirements for a chapter:
 // - sceneDistance is a lower bound, so that no surface is missed, and 1-Lipschitz, so that the margin is
 //   kept; any step factor that this requires is part of sceneDistance. The pass ignores anything that
-//   sceneDistance leaves out, such as a ground with a distance of its own.
-// - pixelRay: the rays of a block start in the convex hull of the corners' origins and point into the cone
-//   of their directions (each direction is a combination of theirs with weights >= 0). This is true of
-//   perspectiveRay, orthographicRay and projectionRay, because origin and unnormalised direction are affine
-//   functions of the screen. If a sample moves its ray farther, as for a lens, add that amount to coarseMargin.
+//   sceneDistance leaves out, such as a ground with a separate distance.
+// - pixelRay: the rays of a block start in the convex hull of the four corner rays' origins and point into the
+//   cone of the corner rays' directions (each direction is a combination of the four with weights >= 0). This is
+//   true of perspectiveRay, orthographicRay and projectionRay, because origin and unnormalised direction are affine
+//   functions of the screen position. If a sample moves its ray farther, as with a lens, add that amount to
+//   coarseMargin.
 // - coarseMargin exceeds the rounding error of a float: about 1e-6 of p and t.
 // docs/16_fewer_steps.md has the full proof. Source: J. C. Hart's sphere tracing along the cones of
 // J. Amanatides, SIGGRAPH 1984; demo programmers call such a first pass cone marching.
@@ -29,7 +30,7 @@
 
 const int COARSE_BLOCK = 8; // side of a block, pixels
 
-// Defined by the chapter: how far from the scene a point at t of a ray must be for its march to go on. This
+// Defined by the chapter: how far from the scene the point at t of a ray must be for the march to go on. This
 // is the largest threshold that counts as a hit there, plus the distance by which samples move the ray.
 //   t        scene units along the ray, >= 0
 //   returns  scene units, > 0; must not decrease as t grows
@@ -43,7 +44,7 @@ uniform sampler2D iCoarse; // one texel per block of the picture, as coarseBlock
 
 #endif
 
-// Where the march of a pixel's ray may begin: every point before it is farther from the scene than
+// Where the march of a pixel's ray may begin: every earlier point is farther from the scene than
 // coarseMargin. A chapter whose march begins later for another reason, such as a box, takes the larger value.
 //   ray      from pixelRay, for the pixel iPixel, whose block is looked up
 //   returns  scene units along the ray, >= 0; 0 if the pass is switched off, and in an exported file,
@@ -57,7 +58,7 @@ float coarseStart(Ray ray)
 #endif
 }
 
-// Compiled only for the pass.
+// Compiled only for the coarse pass.
 #if VIEW == 8
 
 const int   COARSE_STEPS = 64;    // limit on the steps of a block's march
@@ -71,12 +72,13 @@ struct Cone {
     float ahead;  // how far in front of the axis's origin, along the axis, a ray may start
 };
 
-// The cone around all rays through a rectangle of the picture, from the rays through its corners.
+// The cone around all rays through a rectangle of the picture, computed from the rays through its corners.
 //   low, high  opposite corners, pixels
-//   formula    origin and direction of the axis are the corners' means; radius, spread and ahead are their
-//              largest |o - origin|, |d - direction| and (o - origin) . direction. A ball that contains four
-//              points contains their convex hull; and a unit vector between others has a component along the
-//              axis that is at least the smallest of theirs, so no direction is farther from the axis.
+//   formula    origin and direction of the axis are the means of the corner rays'; radius, spread and ahead are
+//              the largest |o - origin|, |d - direction| and (o - origin) . direction of a corner ray. A ball
+//              that contains four points contains their convex hull; and the component along the axis of a unit
+//              vector between the four directions is at least the smallest of their four components, so no
+//              direction is farther from the axis.
 Cone coneOfPixels(vec2 low, vec2 high)
 {
     Ray corner[4];
@@ -112,8 +114,8 @@ float coneStep(Cone cone, float t, float distance)
 }
 
 // March the cone of a block of pixels.
-//   block    its index, (0, 0) for the bottom left block
-//   returns  where its rays may start, scene units along them, and the number of evaluations of the scene
+//   block    index of the block, (0, 0) at the bottom left
+//   returns  where the block's rays may start, scene units along the rays, and the number of evaluations of the scene
 vec2 coarseBlock(ivec2 block)
 {
     iPixel = COARSE_BLOCK * block;

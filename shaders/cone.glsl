@@ -1,7 +1,8 @@
 // cone.glsl - sphere tracing with a cone instead of a line: a surface closer to the ray than half a pixel
 // counts as reached.
 //
-// Its two loops are separate from that of march, because a shared loop makes the chapters that use it up to 5 % slower.
+// The two loops below are separate from the loop of march, because a shared loop would make the chapters that use it up
+// to 5 % slower.
 #include "camera.glsl"
 #include "march.glsl"
 
@@ -46,9 +47,9 @@ Hit marchCone(Ray ray, float tMin, float tMax, float threshold, float spread, in
 //   ray         from shadowRay
 //   tMin, tMax  the interval to search, scene units; an empty interval costs nothing and returns 1
 //   threshold   radius of the cone where it starts, scene units, > 0
-//   spread      how fast it widens, per scene unit: the tangent of the lamp's angular radius
+//   spread      how fast the cone widens, per scene unit: the tangent of the lamp's angular radius
 //   formula     max((s - 0.2) / 0.8, 0), where s is the smallest of 1 and distance / (threshold + spread t)
-//               over the steps; a march that has reached s = 1/5 is dark and can end
+//               over the steps; once s has fallen to 1/5, the share is 0 and the march ends
 // The march needs a lower bound of the distance. The values in between are a model and measure no area.
 float coneReaching(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {

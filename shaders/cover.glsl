@@ -8,11 +8,11 @@
 // Compiled only where evaluations are counted.
 #if VIEW == 7
 
-// The rays that are examined: one from the middle of each cell of this grid over the picture.
+// The rays that are examined: one through the middle of each cell of this grid over the picture.
 const vec2 COVER_GRID = vec2(32.0, 18.0);
 
 // Does the pixel contain the middle of a cell?
-//   pixel  in pixels of the picture, at a pixel's centre
+//   pixel  the centre of the pixel, in pixels of the picture
 bool onCoverGrid(vec2 pixel)
 {
     vec2 cell = floor(pixel * COVER_GRID / iResolution.xy);
@@ -20,13 +20,13 @@ bool onCoverGrid(vec2 pixel)
 }
 
 // The least number of evaluations on a ray whose intervals cover the part of the ray that the first march
-// covered; for a hit, one of them is at the hit itself. The covered part grows from the start: of all t whose
-// interval begins in it, the one whose interval reaches farthest comes next.
+// covered; for a hit, one of the evaluations is at the hit itself. The covered part grows from the start: of all t
+// whose interval begins in the covered part, the one whose interval reaches farthest comes next.
 //   ray      of the first march
 //   steps    of that march; 0 means no march, and the result is 0
 //   formula  with a distance that is 1-Lipschitz, t - d and t + d grow along the ray: the next t is
-//            the last one with t - d <= covered, found by bisection. The value used for t + d is that at a
-//            point just beyond this t, so the result never exceeds the least number
+//            the last one with t - d <= covered, found by bisection. The value of t + d is taken at a point
+//            just beyond this t, so the result never exceeds the least number
 //   returns  at most steps + 1; steps + 1, more than the march took, shows a distance that is not 1-Lipschitz
 int fewestEvaluations(Ray ray, int steps)
 {

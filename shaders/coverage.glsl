@@ -4,7 +4,7 @@
 // the distance and with 1 / cosine of the angle between ray and normal.
 
 // The share of a pixel that lies inside a straight edge.
-//   inside   how far inside the edge the middle of the pixel lies, negative outside
+//   inside   how far inside the edge the middle of the pixel is; negative outside
 //   width    of the pixel perpendicular to the edge, >= 0
 //   formula  clamp(inside / (width + 0.001) + 1/2, 0, 1): exact except for the 0.001, which avoids a division
 //            by 0; with a width of 0, the result is 0 or 1 except within 0.0005 of the edge

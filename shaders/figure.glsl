@@ -6,8 +6,8 @@
 //     vec2 p = sheetPoint(ray);
 //
 // draws with the functions below, lowest layer first, and returns sheetColour. Colours are sRGB, as on the page,
-// and the same as in the printed figures. Lengths are units of the sheet, which is 2 units high with the
-// origin in the centre; widths of lines are pixels of a picture 360 pixels high.
+// and the same as in the still figures of docs/figures. Lengths are in units of the sheet, which is 2 units high with
+// the origin in the centre; widths of lines are in pixels of a picture 360 pixels high.
 #define FIGURE
 #include "main.glsl"
 #include "coverage.glsl"
@@ -62,7 +62,7 @@ float angleBetween(vec2 a, vec2 b)
     return atan(abs(a.x * b.y - a.y * b.x), dot(a, b));
 }
 
-// ---- Shapes, by their signed distance d ----
+// ---- Shapes, given by their signed distance d ----
 
 void fill(float d, vec3 colour, float opacity)
 {
@@ -114,7 +114,9 @@ void arrow(vec2 p, vec2 a, vec2 b, float width, vec3 colour)
     fill(sdTriangle(p, b, left, right + 1e-6), colour, 1.0);
 }
 
-// The curve y = f(x), from y - f(x) at this x and the slope f'(x) there.
+// Draw the curve y = f(x).
+//   above  y - f(x) at the point to be coloured
+//   slope  f'(x) there
 void curve(float above, float slope, float width, vec3 colour)
 {
     fill(abs(above) * inversesqrt(1.0 + slope * slope) - 0.5 * penWidth(width), colour, 1.0);
@@ -131,9 +133,10 @@ void number(vec2 p, vec2 at, float value, int decimals, vec3 colour)
 
 // ---- A march in the plane ----
 
-// Draw the march of a ray through sceneDistance: the empty circles, the ray, its points.
+// Draw the march of a ray through sceneDistance: the empty circles, the ray, and the points of the march.
 //   far, threshold, most  as tMax, threshold and maxSteps of march
-// Returns the number of steps; the last one is at t.
+//   t        receives where the march ended, along the ray: the hit, or the point after the last step
+//   returns  the number of steps
 int drawMarch(vec2 p, vec2 from, vec2 direction, float far, float threshold, int most, out float t)
 {
     float d = 0.0, inside = 1e6, rim = 1e6, spot = 1e6;

@@ -25,11 +25,11 @@ float cosineFourth(vec2 screen, float focalLength)
 }
 
 // Raise the contrast in the middle of the range and lower it at both ends.
-//   v        in [0, 1] per channel, encoded for the screen, where 1/2 is close to middle grey (in linear light,
-//            1/2 is bright, and the picture would become dark); clamped first
+//   v        per channel, clamped to [0, 1] first; encoded for the screen, where 1/2 is close to middle grey (in
+//            linear light, 1/2 is bright, and the picture would become dark)
 //   amount   in [0, 1]: 0 leaves v unchanged, 1 is smoothstep(0, 1, v)
 //   formula  v + amount (3 v^2 - 2 v^3 - v): 0, 1/2 and 1 are fixed, the slope in the middle is
-//            1 + amount / 2 and at both ends 1 - amount. It increases with v
+//            1 + amount / 2 and at both ends 1 - amount. The result increases with v
 vec3 contrast(vec3 v, float amount)
 {
     return mix(clamp(v, 0.0, 1.0), smoothstep(0.0, 1.0, v), amount);
@@ -37,12 +37,12 @@ vec3 contrast(vec3 v, float amount)
 
 // The response of a film to light: a straight line in the middle of a logarithmic scale, with a toe in the
 // dark range and a shoulder in the bright range, where the contrast is lower.
-//   x        linear light, >= 0, per channel; negative values count as 0
+//   x        linear light, per channel; negative values count as 0
 //   gamma    >= 1: how steep the line is. On a logarithmic scale, its slope at middle grey is
 //            0.82 gamma / (1 - (0.18 / white)^gamma)
 //   white    > 1: the light that becomes 1, as does all brighter light
 //   formula  (1 + kappa / w) / (1 + kappa / h), h = x^gamma, w = white^gamma, with kappa = 0.82 g w /
-//            (0.18 w - g), g = 0.18^gamma, so that middle grey, 0.18, is unchanged. It increases with x from 0 to 1
+//            (0.18 w - g), g = 0.18^gamma, so that middle grey, 0.18, is unchanged. The result increases from 0 to 1
 // Source: the shape of F. Hurter and V. C. Driffield's curves (1890), as a logistic function.
 vec3 filmCurve(vec3 x, float gamma, float white)
 {
@@ -52,7 +52,8 @@ vec3 filmCurve(vec3 x, float gamma, float white)
     return (1.0 + kappa / w) / (1.0 + kappa / h);
 }
 
-// filmCurve applied to the largest channel, which keeps the ratios of the channels and therefore the hue.
+// filmCurve applied to the largest channel. The other channels are scaled by the same factor, which keeps their ratios
+// and therefore the hue.
 //   light    linear, >= 0
 //   gamma, white  as for filmCurve
 //   formula  light filmCurve(m) / m, m the largest channel

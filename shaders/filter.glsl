@@ -1,8 +1,8 @@
 // filter.glsl - how the samples of a pixel are distributed: the filter with which they are averaged.
 //
 // The renderer takes the plain mean of a pixel's samples, so the filter determines their positions: where its
-// weight is twice as large, they are twice as dense. A point of the unit square is mapped to an offset from the
-// pixel's middle, in pixels, with the inverse of the filter's cumulative distribution; (1/2, 1/2) goes to (0, 0).
+// weight is twice as large, the samples are twice as dense. A point of the unit square is mapped to an offset from the
+// pixel's middle, in pixels, with the inverse of the filter's cumulative distribution; (1/2, 1/2) becomes (0, 0).
 #include "samples.glsl"
 
 // The position of this sample in its pixel, from (0, 0) at the lower left corner to (1, 1) at the upper right.
@@ -14,7 +14,7 @@ vec2 positionInPixel(vec2 screen)
 
 // An offset with the density of a tent, 1 - |x| between -1 and 1, in each coordinate.
 //   u        u in [0, 1], per coordinate
-//   formula  sqrt(2 u) - 1 up to u = 1/2, else 1 - sqrt(2 - 2 u). The variance is 1/6
+//   formula  sqrt(2 u) - 1 up to u = 1/2, then 1 - sqrt(2 - 2 u). The variance is 1/6
 vec2 tentOffset(vec2 u)
 {
     vec2 side = sqrt(2.0 * min(u, 1.0 - u));
@@ -38,20 +38,20 @@ float gaussianQuantile(float share)
 // The offset of a sample for one of three filters.
 //   u        in the unit square
 //   kernel   0 a box, the pixel itself; 1 a tent over 2 x 2 pixels; 2 a Gaussian of standard deviation 0.5 pixels
-//   returns  from the pixel's middle, pixels
+//   returns  the offset from the pixel's middle, pixels
 vec2 filterOffset(vec2 u, int kernel)
 {
     vec2 gaussian = 0.5 * vec2(gaussianQuantile(u.x), gaussianQuantile(u.y));
     return kernel == 0 ? u - 0.5 : (kernel == 1 ? tentOffset(u) : gaussian);
 }
 
-// The point of the screen that the ray of this sample passes through, instead of the middle of its cell.
+// The point on the screen that the ray of this sample passes through, instead of the middle of its cell.
 //   screen   as passed to pixelRay
 //   kernel   as for filterOffset
-//   jitter   true if the sample lies anywhere in its cell, false if it lies in the middle of the cell. A single
+//   jitter   true for a random position in the sample's cell, false for the middle of the cell. A single
 //            sample stays in the pixel's middle
-//   dimension  of pixelRandom; this one and the next are used
-//   returns  a point of the screen, for perspectiveRay
+//   dimension  of pixelRandom; this dimension and the next are used
+//   returns  a point on the screen, for perspectiveRay
 vec2 filteredScreen(vec2 screen, int kernel, bool jitter, int dimension)
 {
     vec2 lot = vec2(pixelRandom(dimension), pixelRandom(dimension + 1)) - 0.5;

@@ -8,7 +8,7 @@
 // The mean of exp(-s) over s in [0, x].
 //   x        >= 0; a ray that descends is measured from its lower end, so no other x is needed
 //   returns  1 at 0, 1 / x for large x
-//   formula  (1 - exp(-x)) / x; up to 0.2 the first terms of its series, because the difference of two
+//   formula  (1 - exp(-x)) / x; below 0.2 the first terms of its series, because the difference of two
 //            numbers near 1 would leave few digits: 1 - x / 2 + x^2 / 6 - x^3 / 24 + x^4 / 120
 float meanDecay(float x)
 {
@@ -16,13 +16,13 @@ float meanDecay(float x)
     return x < 0.2 ? series : (1.0 - exp(-x)) / max(x, 0.2);
 }
 
-// The optical depth of a piece of a ray: the integral of the density along it.
+// The optical depth of a piece of a ray: the integral of the density along the piece.
 //   height   y where the piece begins, scene units
 //   climb    how y grows along the ray: the direction's y, in [-1, 1]
 //   t        length of the piece, scene units, >= 0
 //   density  at y = 0, per scene unit, >= 0
 //   scale    the height over which the density falls to 1 / e, scene units, > 0; 1e6 gives a uniform fog
-//   formula  density exp(-low / scale) t meanDecay(|climb| t / scale), low the y of the lower end. Exact
+//   formula  density exp(-low / scale) t meanDecay(|climb| t / scale), where low is the y of the lower end. It is exact
 float fogDepth(float height, float climb, float t, float density, float scale)
 {
     float low = height + min(climb * t, 0.0);
@@ -32,7 +32,7 @@ float fogDepth(float height, float climb, float t, float density, float scale)
 // The optical depth of a whole ray to the sky.
 //   the parameters are those of fogDepth
 //   formula  density exp(-height / scale) scale / climb, the limit as t tends to infinity. If climb is less than 1e-5,
-//            as it is below the horizon, 1e-5 replaces it. Exact otherwise
+//            as it is below the horizon, 1e-5 replaces it. The formula is exact otherwise
 float skyFogDepth(float height, float climb, float density, float scale)
 {
     return density * exp(-height / scale) * scale / max(climb, 1e-5);
@@ -41,8 +41,8 @@ float skyFogDepth(float height, float climb, float density, float scale)
 // The point of a ray at which the optical depth from its start has a given value: the inverse of fogDepth.
 //   depth    in [0, the depth of the whole piece]
 //   the other parameters are those of fogDepth
-//   returns  t, scene units. The density at the start of the ray counts as at least 1e-12, so from some twenty scales
-//            up, t is too short; and a ray that climbs is followed up to 1 - x = 1e-6, fourteen scales high
+//   returns  t, scene units. The density at the start of the ray counts as at least 1e-12, so above some twenty scales
+//            t is too short; and a ray that climbs is followed up to 1 - x = 1e-6, fourteen scales higher
 //   formula  t = -(scale / climb) log(1 - x), x = depth climb / (density exp(-height / scale) scale); where
 //            |x| < 0.02, the first terms of the series, depth / b (1 + x / 2 + x^2 / 3 + x^3 / 4), b the
 //            density at the start of the ray
@@ -59,9 +59,9 @@ float inverseFogDepth(float height, float climb, float depth, float density, flo
 //   direction, toSun  length 1
 //   ambient  light of the sky that the fog scatters, the same in all directions
 //   sun      light of the sun that the fog scatters straight ahead
-//   g        the mean cosine of the scattering angle, in [0, 1); mist 0.6 to 0.9
+//   g        the mean cosine of the scattering angle, in [0, 1): 0.6 to 0.9 for mist
 //   formula  ambient + sun glow(direction, toSun, g): light scattered once, with Henyey and Greenstein's
-//            share for each angle. A model: light scattered more than once is only in the ambient part
+//            share for each angle. This is a model: light scattered more than once is only in the ambient part
 vec3 fogLight(vec3 direction, vec3 toSun, vec3 ambient, vec3 sun, float g)
 {
     return ambient + sun * glow(direction, toSun, g);
@@ -101,7 +101,7 @@ float lampInFog(vec3 from, vec3 direction, float far, float size)
 //   returns  per scene unit
 //   formula  exp(-q^2) / (w sin), w the beam's width where the ray is nearest to its axis, q the distance there, in
 //            widths, sin the sine of the angle between ray and beam, at least 0.045; the beam fades out where that
-//            point lies behind the eye or beyond far. A model by eye
+//            point is behind the eye or beyond far. The model is fitted by eye
 float beamInFog(vec3 from, vec3 direction, vec3 beam, vec2 wide, float far)
 {
     float nearest = -dot(from, direction), facing = dot(beam, direction), across = max(1.0 - facing * facing, 0.002);

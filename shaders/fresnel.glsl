@@ -1,8 +1,8 @@
-// fresnel.glsl - how much light a smooth surface mirrors.
+// fresnel.glsl - how much light a smooth surface reflects.
 
-// The share of the light that a surface of water or glass mirrors, averaged over polarisations.
+// The share of the light that a surface of water or glass reflects, averaged over polarisations.
 //   facing    cosine of the angle between the normal and the direction to the eye, in [0, 1]
-//   straight  the share mirrored at normal incidence, ((n - 1) / (n + 1))^2 with the index of
+//   straight  the share reflected at normal incidence, ((n - 1) / (n + 1))^2 with the index of
 //             refraction n: 0.02 for water (1.333), 0.04 for glass (1.5)
 //   returns   in [straight, 1]: straight at facing = 1, 1 at facing = 0
 //   formula   straight + (1 - straight) (1 - facing)^5, which approximates Fresnel's formula with an error
@@ -15,7 +15,7 @@ float schlickShare(float facing, float straight)
     return straight + (1.0 - straight) * square * square * grazing;
 }
 
-// The exact share of light that a smooth boundary between two clear media mirrors, for unpolarised light:
+// The exact share of light that a smooth boundary between two clear media reflects, for unpolarised light:
 // the mean over the two polarisations.
 //   facing   cosine of the angle between the normal and the ray, on the side from which it comes, in [0, 1]
 //   eta      index of refraction on that side divided by the index on the other, > 0, as for GLSL's refract

@@ -6,7 +6,7 @@
 #include "fresnel.glsl"
 #include "march.glsl"
 
-// march of march.glsl on either side of a surface: it marches through side * distanceAt.
+// march of march.glsl on either side of a surface, with the distance side * distanceAt.
 //   side     1 if the ray starts outside, as in march; -1 if it starts inside a solid, where the distance is
 //            negative
 //   the other parameters and the result are those of march; found means that the march reached the surface
@@ -33,9 +33,9 @@ Hit marchSide(Ray ray, float side, float tMin, float tMax, float threshold, int 
 
 // How a surface splits a ray: the two new rays, and the share of the light in each.
 struct Parting {
-    float mirrored; // share of the light that is mirrored, in [0, 1]; the rest is transmitted
-    vec3  away;     // direction of the mirrored ray, length 1
-    vec3  bent;     // direction of the refracted ray, length 1; the vector 0 if there is none
+    float mirrored; // share of the light that is reflected, in [0, 1]; the rest is transmitted
+    vec3  away;     // direction of the reflected ray, length 1
+    vec3  bent;     // direction of the refracted ray, length 1; the zero vector if there is none
 };
 
 // The two rays into which a smooth surface splits one ray.
@@ -43,23 +43,23 @@ struct Parting {
 //   normal     of the surface, outwards, length 1
 //   side       the side from which the ray comes, as for marchSide
 //   index      of refraction of the solid divided by that of its surroundings, > 0
-//   formula    Snell's law by GLSL's refract, which takes the normal on the side of the ray and the ratio of the index
-//              before the surface to that behind it; the mirrored share by fresnelShare. A ray that does not come from
-//              the given side is treated as grazing: it is mirrored completely
+//   formula    Snell's law with GLSL's refract, which takes the normal on the side of the ray and the ratio of the
+//              index before the surface to that behind it; the reflected share from fresnelShare. A ray that does not
+//              come from the given side is treated as grazing: it is reflected completely
 Parting partingAt(vec3 direction, vec3 normal, float side, float index)
 {
     float eta = side > 0.0 ? 1.0 / index : index, facing = clamp(-side * dot(normal, direction), 0.0, 1.0);
     return Parting(fresnelShare(facing, eta), reflect(direction, normal), refract(direction, side * normal, eta));
 }
 
-// The ray that continues from a surface, refracted or mirrored. It starts beside the surface, on the side to which it
+// The ray that continues from a surface, refracted or reflected. It starts beside the surface, on the side to which it
 // goes.
 //   p          where a march ended, scene units
 //   normal     of the surface there, outwards, length 1
 //   direction  of the new ray, length 1
-//   offset     scene units, > 0: how far from p along the normal. At least twice the march's threshold: p lies up to
-//              one threshold in front of the surface, and a transmitted ray must start at least as far behind the
-//              surface, or the next march ends where it starts
+//   offset     how far from p the ray starts, along the normal, scene units, > 0. It must be at least twice the march's
+//              threshold: p lies up to one threshold in front of the surface, and a transmitted ray must start at least
+//              as far behind the surface, or the next march ends where it starts
 Ray leavingRay(vec3 p, vec3 normal, vec3 direction, float offset)
 {
     return Ray(p + (dot(normal, direction) > 0.0 ? offset : -offset) * normal, direction);
@@ -82,8 +82,9 @@ struct Passage {
     float deepest; // t where the line is farthest inside
 };
 
-// Follow a straight ray through all solids in its path, as a simple model of a shadow that is not black. In truth,
-// glass bends the light elsewhere; here the light goes straight on, minus the share that each boundary mirrors.
+// Follow a straight ray through all solids in its path, as a simple model of a shadow that is not black. In reality,
+// glass refracts the light to other places; here the light goes straight on, minus the share that each boundary
+// reflects.
 //   ray       from shadowRay, outside
 //   far       how far to search, scene units; 0 or less costs nothing
 //   index     of refraction of the glass

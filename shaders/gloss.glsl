@@ -1,9 +1,9 @@
-// gloss.glsl - light that a rough surface mirrors: two models of its highlight.
+// gloss.glsl - light that a rough surface reflects: two models of its highlight.
 //
 // A surface that is rough on a small scale consists of many tiny mirrors. A model determines how many of them
 // send a lamp's light to the eye: those whose normal is halfway between the directions to lamp and eye.
 // Each function returns the light that is sent towards the eye, per steradian, for light of 1 from one direction
-// on a surface whose mirrors reflect all light. The caller multiplies by the share that they really reflect, as
+// on a surface whose mirrors reflect all light. The caller multiplies it by the share that real mirrors reflect, as
 // given by schlickShare, and by the cosine of Lambert's law.
 
 const float GLOSS_PI = 3.14159265;
@@ -18,12 +18,12 @@ vec3 halfway(vec3 toLight, vec3 toEye)
 
 // Blinn's and Phong's highlight, normalised: a power of the cosine.
 //   normal, toLight, toEye  length 1 each
-//   exponent  n, >= 0: the larger, the smaller the highlight
+//   exponent  n, >= 0: the larger the exponent, the smaller the highlight
 //   formula   (n + 2) (n + 4) / (8 pi (n + 2^(-n/2))) dot(normal, halfway)^n. With this factor the surface
 //             reflects all light that arrives along the normal, and less of the light from any other direction,
 //             except for n = 0, where it reflects all light
 // Source: J. F. Blinn, 'Models of light reflection for computer synthesized pictures', SIGGRAPH 1977;
-// the factor by F. Giesen, 2009. The usual factor (n + 8) / (8 pi) reflects up to 1.08 of the light.
+// the factor by F. Giesen, 2009. With the usual factor (n + 8) / (8 pi), up to 1.08 of the light is reflected.
 float blinnPhongGloss(vec3 normal, vec3 toLight, vec3 toEye, float exponent)
 {
     float cosine = max(dot(normal, halfway(toLight, toEye)), 0.0);
@@ -34,7 +34,7 @@ float blinnPhongGloss(vec3 normal, vec3 toLight, vec3 toEye, float exponent)
 
 // How densely the normals of the GGX model's mirrors are distributed around a direction.
 //   cosine   between the surface's normal and that direction, in [0, 1]
-//   alpha    in (0, 1]: tangent of a typical slope
+//   alpha    in (0, 1]: a typical slope of the mirrors
 //   formula  alpha^2 / (pi (cosine^2 (alpha^2 - 1) + 1)^2); the areas of the mirrors, projected along the
 //            normal, sum to 1
 // Source: T. S. Trowbridge, K. P. Reitz (1975); B. Walter and others, 'Microfacet models for refraction
@@ -49,7 +49,7 @@ float ggxDensity(float cosine, float alpha)
 // Smith's share of mirrors that other mirrors hide neither from the lamp nor from the eye, divided by 4 times
 // the product of both cosines. The product cancels, which leaves each cosine beside the root of the other.
 //   cosLight, cosEye  of the angles to the normal, in [0, 1], not both 0
-//   formula  1 / (2 (cosLight root(cosEye) + cosEye root(cosLight))), root(c) = sqrt(a^2 + (1 - a^2) c^2)
+//   formula  1 / (2 (cosLight root(cosEye) + cosEye root(cosLight))), root(c) = sqrt(a^2 + (1 - a^2) c^2), a = alpha
 // Source: E. Heitz, 'Understanding the masking-shadowing function', JCGT 3 (2014): its height-correlated form.
 float smithVisibility(float cosLight, float cosEye, float alpha)
 {
@@ -61,8 +61,8 @@ float smithVisibility(float cosLight, float cosEye, float alpha)
 
 // The highlight of the GGX model.
 //   normal, toLight, toEye  length 1 each
-//   roughness  in (0, 1]; its square is alpha, so that equal steps look equal. Below 0.05 the rounding of
-//              floats is visible
+//   roughness  in (0, 1]; its square is alpha, so that equal steps of roughness look equal. Below 0.05 the
+//              rounding of floats is visible
 //   formula    ggxDensity smithVisibility; 0 if lamp or eye is behind the surface
 // The model never reflects more light than arrives. It leaves out the light that meets a second mirror: the rougher
 // the surface, the more light is left out, except at grazing angles (over 80 degrees). build/tests/measure gloss

@@ -1,9 +1,9 @@
-// hue.glsl - colours by hue, saturation and value.
+// hue.glsl - colours from hue, saturation and value.
 //
 // The results are linear light, shares of red, green and blue, like the light of lighting.glsl. To treat them
 // as screen values, as colour pickers do, decode them first.
 
-// The pure colour of a hue: its largest channel is 1, its smallest 0.
+// The pure colour of a hue: its largest channel is 1, and its smallest is 0.
 //   hue      degrees; 0 red, 60 yellow, 120 green, 180 cyan, 240 blue, 300 magenta; any number, including
 //            negative ones: the circle closes at 360
 //   returns  linear red, green, blue in [0, 1]; between multiples of 60, two channels are constant and one

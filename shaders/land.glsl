@@ -21,7 +21,7 @@ vec3 groundNoise(vec2 p)
 
 // Ridges: the lines on which noise is 1/2 become crests.
 //   noise    from groundNoise
-//   returns  value in [0, 1], but for rounding by up to 2e-6, and gradient, which is never longer than 2
+//   returns  value in [0, 1], up to rounding, about 2e-6, and gradient, which is never longer than 2
 //            VALUE_STRETCH
 //   formula  1 - |2 n - 1|
 // Source: F. K. Musgrave, in D. S. Ebert and others, 'Texturing and modeling' (1994), ridged multifractals.
@@ -44,7 +44,7 @@ vec3 hill(vec2 p, vec2 radius, float height)
     return vec3(height * w * w, -4.0 * height * w * r * inverse);
 }
 
-const float HILL_STRETCH = 1.5396007; // 8 sqrt(3) / 9: the slope of (1 - r^2)^2 at r = 1 / sqrt(3)
+const float HILL_STRETCH = 1.5396007; // 8 sqrt(3) / 9: the steepest slope of (1 - r^2)^2, at r = 1 / sqrt(3)
 
 // The higher of two grounds. It is no steeper than the steeper of the two.
 vec3 higherGround(vec3 a, vec3 b)
@@ -54,9 +54,9 @@ vec3 higherGround(vec3 a, vec3 b)
 
 // A lower bound of the distance at which a gap has closed, if after a length s it closes by at most slope + growth s
 // per unit of length.
-//   gap      between the ray and the ground here; negative below the ground, and so is the result
-//   slope    how much the gap can close per unit of length here, > 0
-//   growth   of this slope, per unit of length, >= 0
+//   gap      between the ray and the ground here; if it is negative, below the ground, so is the result
+//   slope    how fast the gap can close here, per unit of length, > 0
+//   growth   how fast the slope can grow, per unit of length, >= 0
 //   returns  scene units: the s with slope s + growth s^2 / 2 = gap; a lower bound of the distance
 //   formula  2 gap / (slope + sqrt(slope^2 + 2 growth gap))
 float wayToClose(float gap, float slope, float growth)

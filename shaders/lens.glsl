@@ -1,4 +1,4 @@
-// lens.glsl - a thin lens instead of a pinhole: only one distance is sharp.
+// lens.glsl - a thin lens instead of a pinhole: only one distance is in focus.
 #include "samples.glsl"
 #include "soft_shadow.glsl"
 
@@ -24,11 +24,11 @@ Ray lensRay(Ray ray, vec2 point, float radius, float focus)
     return Ray(ray.origin + aside, normalize(inFocus - aside));
 }
 
-// How large a point becomes: the diameter of its circle of confusion on the screen, half screen heights.
+// How large a point becomes: the diameter of its circle of confusion on the screen, in half screen heights.
 //   depth    of the point along the view direction, scene units, > 0
 //   radius, focus  as for lensRay
 //   focalLength    half screen heights, > 0
-//   formula  2 radius focalLength |1 / focus - 1 / depth|. Exact
+//   formula  2 radius focalLength |1 / focus - 1 / depth|, which is exact
 float circleOfConfusion(float depth, float radius, float focus, float focalLength)
 {
     return 2.0 * radius * focalLength * abs(1.0 / focus - 1.0 / depth);

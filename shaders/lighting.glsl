@@ -10,7 +10,7 @@ float lambert(vec3 normal, vec3 toLight)
     return max(dot(normal, toLight), 0.0);
 }
 
-// How the light of a point lamp weakens with distance, relative to a reference distance: it spreads over a
+// How the light of a point lamp weakens with distance, relative to a reference distance: the light spreads over a
 // sphere, whose area grows as the square of the distance.
 //   distance, reference  > 0, scene units
 //   formula              (reference / distance)^2

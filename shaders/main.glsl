@@ -35,9 +35,9 @@ void main()
 
 uniform vec2 iProbe; // centre of the pixel whose ray is marched, in pixels
 
-// Row 0, column k: t and distance at step k, the steps of the first march, why it ended. Row 1: position, and
-// the distance below which the surface would have counted as found there.
-// Row 2: steps of all marches, evaluations, the interval of the first march.
+// Column k of row 0: t and distance at step k, the number of steps of the first march, and why that march ended.
+// Column k of row 1: the position at step k, and the distance below which the surface would have counted as found
+// there. Row 2: the steps of all marches, the evaluations, and the interval of the first march.
 void main()
 {
     traceReset(int(gl_FragCoord.x));
@@ -76,8 +76,8 @@ void main()
 void main()
 {
     traceReset(-1);
-    pixelRay(vec2(0.0)); // a chapter may prepare its scene there
-    fragColour = vec4(cameraStop(iCameraPosition, iCameraTo) - iCameraTo, 1.0); // fits into half floats
+    pixelRay(vec2(0.0)); // a chapter may prepare its scene in pixelRay
+    fragColour = vec4(cameraStop(iCameraPosition, iCameraTo) - iCameraTo, 1.0); // precise even in half floats
 }
 
 #else
@@ -85,7 +85,7 @@ void main()
 void main()
 {
     traceReset(-1);
-    vec2 pixel = gl_FragCoord.xy + iPixelOffset; // of the sample: less than half a pixel from the pixel's centre
+    vec2 pixel = gl_FragCoord.xy + iPixelOffset; // the sample, less than half a pixel from the pixel's centre
     iPixel = ivec2(floor(pixel));
     Ray ray = pixelRay(screenPosition(pixel));
     vec3 colour = rayColour(ray);
@@ -97,8 +97,8 @@ void main()
     colour = stepView(pixel);
 #endif
 #if VIEW == 7
-    // For pixels of the grid, the steps that the march took and the evaluations that would have been enough;
-    // elsewhere both are 0.
+    // The evaluations of the scene; for pixels of the grid, also the steps that the march took and the evaluations
+    // that would have been enough, both of which are 0 elsewhere.
     bool looked = onCoverGrid(pixel);
     int steps = looked ? trace.steps : 0;
     fragColour = vec4(float(trace.evaluations), float(steps), float(fewestEvaluations(ray, steps)), float(looked));

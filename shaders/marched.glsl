@@ -12,7 +12,7 @@ const int MARCHED_STEPS = 64; // the table has at most this many steps
 
 uniform vec2 iMarched[MARCHED_STEPS]; // t and distance of step k, scene units
 uniform int  iMarchedSteps;           // number of steps
-uniform bool iMarchedHit;             // the last step of the march found the surface
+uniform bool iMarchedHit;             // whether the last step of the march found the surface
 
 // The number of steps in the table. The arguments are used only in Shadertoy, which has no table.
 //   ray, far, threshold, maxSteps  of the chapter's march of the selected ray

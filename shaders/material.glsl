@@ -1,20 +1,20 @@
-// material.glsl - the material of a surface: a record, computed once per ray, at its end.
+// material.glsl - the material of a surface: how it reflects light.
 //
-// A march needs only distances. The material is computed once per ray, for the point that was found, so the
+// A march needs only distances. The material is computed once per ray, for the point that the march found, so the
 // record may be as long as it needs to be.
 
 // How a surface reflects light.
 struct Material {
     vec3  colour;    // share of the light that enters and returns in all directions, linear RGB, in [0, 1]
-    vec3  straight;  // share that the surface mirrors at normal incidence, in [0, 1]: 0.04 for glaze, wax and
+    vec3  straight;  // share that the surface reflects at normal incidence, in [0, 1]: 0.04 for glaze, wax and
                      // skin; for a metal, its colour
     float roughness; // in [0, 1]: 0 a mirror, 1 fully matt; as in gloss.glsl
 };
 
 // A mixture of two materials.
-//   share    of b, in [0, 1]: 0 is a, 1 is b; smoothUnionShare gives that of a blend
-//   formula  (1 - share) a + share b, member by member: a weighted mean of shares of light, so each stays
-//            in [0, 1]
+//   share    of b, in [0, 1]: 0 gives a, 1 gives b; for a smooth union, use smoothUnionShare
+//   formula  (1 - share) a + share b, member by member: a weighted mean of shares of light, so each member
+//            stays in [0, 1]
 Material mixMaterials(Material a, Material b, float share)
 {
     return Material(mix(a.colour, b.colour, share), mix(a.straight, b.straight, share),

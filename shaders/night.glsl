@@ -2,29 +2,29 @@
 // a dark sky and of dusk.
 //
 // Light is linear; 1 is 4,000 cd/m2, about the blue sky of a clear noon. Directions have length 1; x points
-// north, y up, z east. In the stars' own frame, z points towards the celestial pole and x towards the position of
+// north, y up, z east. In the frame of the stars, z points towards the celestial pole and x towards the position of
 // the sun at the March equinox. docs/19_moon_and_stars.md proves the claims made here.
 #include "noise.glsl"
 
 const float NIGHT_PI = 3.14159265;
 
-// ---- Where the sky is ----
+// ---- Positions in the sky ----
 
-// The time in which the stars turn once, hours: 23 h 56 min 4 s.
+// The time in which the stars turn once around the pole, hours: 23 h 56 min 4 s.
 const float SIDEREAL_DAY = 23.9344696;
 
 // The time from new moon to new moon, days.
 const float MONTH = 29.530589;
 
-// The angle between the equator and the sun's path among the stars, degrees.
+// The angle between the celestial equator and the sun's path among the stars, degrees.
 const float OBLIQUITY = 23.4393;
 
-// The rotation of directions to the stars' frame: starDirection = skyTurn(hour, latitude) * direction.
+// The rotation that takes directions to the stars' frame: starDirection = skyTurn(hour, latitude) * direction.
 //   hour      solar time on the day of the March equinox; any value: adding 24 gives the next day
 //   latitude  degrees, north positive
 //   returns   a rotation
 //   formula   rows cos L M + sin L W, sin L M - cos L W, P, with L = 360 (hour - 12) / SIDEREAL_DAY degrees,
-//             M where the equator crosses the meridian, W west, P the pole
+//             M where the celestial equator crosses the meridian, W west, P the pole
 mat3 skyTurn(float hour, float latitude)
 {
     float angle = 2.0 * NIGHT_PI / SIDEREAL_DAY * (hour - 12.0), c = cos(angle), s = sin(angle);
@@ -37,10 +37,10 @@ mat3 skyTurn(float hour, float latitude)
 // The direction to the moon, as if the moon moved along the sun's path among the stars. The true path is inclined to
 // the sun's by 5 degrees.
 //   hour, latitude  as for sunDirection in sky.glsl
-//   declination     of the sun, degrees, in [-23.43, 23.43], in the half of the year in which it increases
+//   declination     of the sun, degrees, in [-23.43, 23.43], in the half of the year when the declination increases
 //   age             days since new moon; any value
 //   formula         the sun's longitude l has sin l = sin declination / sin OBLIQUITY; the moon's is
-//                   l + 360 age / MONTH. Both are turned so that the sun has its position for this hour
+//                   l + 360 age / MONTH. Both directions are turned so that the sun has its position at this hour
 vec3 moonDirection(float hour, float latitude, float declination, float age)
 {
     float lean = radians(OBLIQUITY), sine = clamp(sin(radians(declination)) / sin(lean), -1.0, 1.0);
@@ -54,7 +54,7 @@ vec3 moonDirection(float hour, float latitude, float declination, float age)
 
 // ---- Stars ----
 
-// The sphere is divided into 8 STAR_RINGS^2 cells of equal solid angle, and each has one star. Seen from above the
+// The sphere is divided into 8 STAR_RINGS^2 cells of equal solid angle, each with one star. Seen from above the
 // pole, each hemisphere is a disc of STAR_RINGS rings of equal width; ring i has 4 (2 i + 1) cells.
 const int STAR_RINGS = 64;
 
@@ -63,16 +63,16 @@ const float STAR_FAINTEST = 5.75e-13;
 
 // The light of the stars, averaged over the footprint of a pixel.
 //   direction  in the stars' frame: from skyTurn
-//   width      of the pixel, radians, > 0; above 0.0031, the spot no longer grows
+//   width      of the pixel, radians, > 0; above 0.0031, the spot of a star no longer grows
 //   returns    linear light, above the air. The sum over the pixels of light times solid angle is the same for all
-//              positions of the stars between the pixels, within 0.7 %
+//              positions of the stars relative to the pixels, within 0.7 %
 //   formula    the sum over the stars of flux colour (1 - d^2 / r^2)^3 4 / (pi r^2), d the distance to the star, r
 //              = 1.761 width. A share u of all stars is brighter than STAR_FAINTEST u^(-0.4 / 0.51): the number
-//              of stars grows as 10^(0.51 m) with the magnitude m. The colour is that of a black body,
-//              exp(14388 (1/0.55 - 1/wavelength) (1/T - 1/6500)) by Wien, T from 3,300 to 14,000 K
-// Only the four cells nearest to the direction are evaluated, all at once, one in each component, because the radius of
-// a spot is less than half of a cell's side. Beyond the pole lies the same ring, half a turn further, and beyond the
-// equator the same ring of the other hemisphere.
+//              of stars grows as 10^(0.51 m) with the magnitude m. The colour is that of a black body by Wien's law,
+//              exp(14388 (1/0.55 - 1/wavelength) (1/T - 1/6500)), T from 3,300 to 14,000 K
+// The radius of a spot is less than half of a cell's side, so only the four cells nearest to the direction are
+// evaluated, all at once, one in each component. Beyond the pole is the same ring, half a turn farther on, and beyond
+// the equator the same ring of the other hemisphere.
 // Source: counts of the Hipparcos catalogue (ESA 1997); 2.54e-6 lx: C. W. Allen, 'Astrophysical quantities' (1973).
 vec3 starLight(vec3 direction, float width)
 {
@@ -105,7 +105,7 @@ vec3 starLight(vec3 direction, float width)
     return 4.0 / (NIGHT_PI * radius * radius) * STAR_FAINTEST * sum;
 }
 
-// The light of the band of stars that are too faint to be seen singly, with the dark clouds of dust in it.
+// The light of the band of stars that are too faint to be seen singly, with the dark clouds of dust in the band.
 //   direction  in the stars' frame
 //   returns    linear light, above the air: up to about 3e-7
 //   formula    a bell curve of the height above the band's plane, brighter towards the constellation Sagittarius, times
@@ -129,7 +129,7 @@ vec3 milkyWay(vec3 direction)
 //   sinHeight  of the sun
 //   returns    0.74 at noon, 0.051 at sunset, 4.5e-8 when the sun is at least 18.3 degrees below the horizon
 //   formula    27 10^(-0.4 m), m in magnitudes per square second of arc; with d the sun's depth in degrees minus 5:
-//              m = 11.84 + 1.518 d - 0.057 d^2 for 0 <= d <= 13.32, where this parabola is highest; for d < 0 the
+//              m = 11.84 + 1.518 d - 0.057 d^2 up to the largest value of this parabola, at d = 13.32; for d < 0 the
 //              last coefficient is +0.102, so that m is 6.8 at sunset; by day m = 3.9 + 2.9 exp(-height / 5.7)
 // Source: F. Patat, O. S. Ugolnikov, O. V. Postylyakov, 'UBVRI twilight sky brightness at ESO-Paranal', Astronomy
 // and Astrophysics 455 (2006), table 1, for depths from 5 to 15 degrees; the rest is fitted by eye.
@@ -145,7 +145,7 @@ float zenithLight(float sinHeight)
 // The magnitude of the faintest star that an eye sees against a sky.
 //   light    of the sky, as from zenithLight, > 0
 //   formula  7.93 - 5 log10(1 + 10^(4.316 - m / 5)), m = -2.5 log10(light / 27) the sky's magnitudes per square
-//            second of arc: 6.6 in the dark, -0.4 when the sun is 6 degrees down
+//            second of arc: 6.6 in the dark, -0.4 when the sun is 6 degrees below the horizon
 // Source: B. E. Schaefer, 'Telescopic limiting magnitudes', Publications of the Astronomical Society of the
 // Pacific 102 (1990), after S. Hecht (1947); the form with one term is common among observers.
 float faintestSeen(float light)
@@ -154,8 +154,8 @@ float faintestSeen(float light)
     return 7.93 - 5.0 * 0.30103 * log2(1.0 + exp2(3.3219281 * (4.316 - magnitude / 5.0)));
 }
 
-// The light of the dark sky itself: a layer of air at a height of 95.5 km glows, and a ray near the horizon passes
-// through more of it.
+// The light of the dark sky itself: a layer of air at a height of 95.5 km glows, and the path of a ray through this
+// layer is longer near the horizon.
 //   sinHeight  of the direction
 //   returns    4.5e-8 overhead, 5.84 times as much at the horizon
 //   formula    4.5e-8 / sqrt(1 - (1 - sinHeight^2) / 1.0302) times a slightly blue white, where 1.0302 is
@@ -188,8 +188,8 @@ float moonShare(float cosPhase)
     return 0.5 + 0.5 * cosPhase;
 }
 
-// The moon's own frame, as rows: right, up (towards the celestial pole), and from the moon to the eye.
-//   moon      from moonDirection; not the pole itself
+// The frame of the moon, as rows: right, up (towards the celestial pole), and from the moon to the eye.
+//   moon      from moonDirection; not exactly at the pole
 //   returns   vector in the frame = moonFrame(moon, latitude) * vector
 mat3 moonFrame(vec3 moon, float latitude)
 {
@@ -199,7 +199,7 @@ mat3 moonFrame(vec3 moon, float latitude)
 
 // The point of the disc that a ray meets.
 //   seen     the ray's direction in the moon's frame
-//   radius   angular radius of the moon, radians; the true one is 0.00452
+//   radius   angular radius of the moon, radians; the true radius is 0.00452
 //   returns  x right, y up, in radii of the disc; far outside if the ray points away from the moon
 //   formula  seen.xy / sin(radius)
 vec2 moonPoint(vec3 seen, float radius)
@@ -215,10 +215,11 @@ vec2 moonPoint(vec3 seen, float radius)
 //   toSun    in the moon's frame, length 1
 //   relief   factor by which the slopes are exaggerated
 //   returns  linear light: about 1.3 at full moon
-//   formula  10.2 a (2 m / (m + n) exp(-0.94 g) + 1.2e-4 e), a the albedo, m and n the cosines of the ground to the
-//            sun and to the eye (Lommel and Seeliger), g the angle between the two, e the light of the Earth in its own
-//            phase: (sin b + (pi - b) cos b) / pi, b = pi - g. Because of the slopes, m decreases by the rise of the
-//            ground towards the sun
+//   formula  10.2 a (2 m / (m + n) exp(-0.94 g) + 1.2e-4 e), a the albedo, m and n the cosines of the angles between
+//            the ground's normal and the directions to the sun and to the eye (Lommel and Seeliger), g the angle
+//            between the two directions, e the light of the Earth at the Earth's phase b = pi - g:
+//            (sin b + (pi - b) cos b) / pi. Because of the slopes, m decreases by the rise of the ground towards the
+//            sun
 // Source: H. Seeliger, 'Zur Photometrie zerstreut reflectirender Substanzen', Munich 1888; exp(-0.94 g) is fitted by
 // eye to the light of the whole moon in C. W. Allen, 'Astrophysical quantities' (1973), within 10 % from 0 to 150
 // degrees.
@@ -238,7 +239,7 @@ vec3 moonFace(sampler2D face, vec2 point, float width, vec3 toSun, float relief)
 
 // The light of the moon on a surface perpendicular to its rays, above the air.
 //   cosPhase  as for moonShare
-//   returns   2.5e-5 at full moon (0.31 lx), 8.6 % of it at half moon
+//   returns   2.5e-5 at full moon (0.31 lx), 8.6 % of that at half moon
 //   formula   2.5e-5 exp(-0.94 g) (1 - sin(g/2) tan(g/2) ln cot(g/4)), the light that moonFace gives for a uniform ball
 // Source: as for moonFace.
 vec3 moonlight(float cosPhase)

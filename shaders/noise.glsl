@@ -2,7 +2,7 @@
 // rough stone, veined marble or gusts of wind.
 //
 // The lattice consists of the points with integer coordinates. One cell is 1 scene unit wide; noise(k p) has k
-// cells per unit, and its gradient is k times as long. Every function returns its value in x and its exact
+// cells per unit, and its gradient is k times as long. Every noise function returns its value in x and its exact
 // gradient in yzw. The compiler removes the gradient where only x is used.
 
 // The differences between the hash inputs of neighbouring lattice points.
@@ -60,7 +60,7 @@ vec3 quinticSlope(vec3 x)
 //   near, far  the numbers, in the order of CellBits
 //   returns    value (x), gradient (yzw). The gradient is never longer than 15/8 times the range of the eight
 //              numbers. It reaches this length in the middle of a cell with one number at the corners of a face
-//              and another at those of the opposite face
+//              and another number at the corners of the opposite face
 //   formula    sum of weight times number; the weight of a corner is the product over the axes of
 //              fade(x) or 1 - fade(x)
 vec4 blendedValues(vec3 x, vec4 near, vec4 far)
@@ -73,10 +73,10 @@ vec4 blendedValues(vec3 x, vec4 near, vec4 far)
     return vec4(row.x + u.x * growth.x, slope * growth);
 }
 
-// Value noise: a random number at every lattice point, interpolated between them.
+// Value noise: random numbers at the lattice points, interpolated between the points.
 //   p        scene units
 //   returns  value in [0, 1), gradient; twice continuously differentiable; the gradient is never longer than
-//            VALUE_STRETCH. Rounding may take the value out of its range by about 1e-6
+//            VALUE_STRETCH. Rounding may take the value out of this range by about 1e-6
 vec4 valueNoise(vec3 p)
 {
     vec3 corner = floor(p);
@@ -90,7 +90,7 @@ vec4 valueNoise(vec3 p)
 const float VALUE_STRETCH = 1.875;        // 15/8: of the fade on one axis, and of valueNoise in space
 const float GRADIENT_STRETCH = 2.7922885; // sqrt(499) / 8: of gradientNoise
 
-// The direction of a lattice point, from its bits, length 1.
+// The direction of the gradient at a lattice point, length 1, from the point's bits.
 //   formula  three odd numbers from -1023 to 1023, ten bits each, normalised: never (0, 0, 0)
 vec3 latticeDirection(uint bits)
 {
@@ -102,7 +102,7 @@ vec3 latticeDirection(uint bits)
 // the corner's weight.
 //   x          position in the cell
 //   corner     0 or 1 per component
-//   direction  of that corner, length 1
+//   direction  of the gradient at that corner, length 1
 //   formula    weight(x) dot(direction, x - corner), and its gradient
 vec4 cornerSlope(vec3 x, vec3 corner, vec3 direction)
 {
@@ -147,10 +147,10 @@ float geometricSum(float ratio, int count)
     return sum;
 }
 
-// A sum of octaves of value noise, each finer and weaker than the one before, divided by the sum of their weights.
+// A sum of octaves of value noise, each finer and weaker than the octave before, divided by the sum of their weights.
 //   count       number of octaves, >= 1
-//   gain        weight of an octave divided by that of the one before, in (0, 1]
-//   lacunarity  cells per unit of an octave divided by those of the one before, >= 1
+//   gain        weight of an octave divided by that of the octave before, in (0, 1]
+//   lacunarity  cells per unit of an octave divided by those of the octave before, >= 1
 //   returns     value in [0, 1) up to rounding, about 1e-6; gradient, never longer than octaveStretch
 //   formula     sum of gain^i valueNoise(p_i) / sum of gain^i, p_0 = p, p_(i+1) = lacunarity p_i + shift
 vec4 octaveNoise(vec3 p, int count, float gain, float lacunarity)
@@ -169,7 +169,7 @@ vec4 octaveNoise(vec3 p, int count, float gain, float lacunarity)
 
 // A Lipschitz constant of octaveNoise: an upper bound. It would be reached only where the steepest points of
 // all octaves coincide, which is very unlikely.
-//   formula  VALUE_STRETCH sum of (gain lacunarity)^i / sum of gain^i; for gain < 1, it is bounded for all
+//   formula  VALUE_STRETCH sum of (gain lacunarity)^i / sum of gain^i; for gain < 1, this is bounded for all
 //            counts if and only if gain lacunarity < 1
 float octaveStretch(int count, float gain, float lacunarity)
 {

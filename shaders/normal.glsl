@@ -1,7 +1,7 @@
 // normal.glsl - the direction in which the distance grows fastest.
 #include "scene.glsl"
 
-// The unit normal of the surface at p: the normalised gradient of the scene's distance, by central
+// The unit normal of the surface at p: the normalised gradient of the scene's distance, from central
 // differences.
 //   p        near the surface, scene units
 //   h        step of the differences, scene units, > 0

@@ -1,9 +1,10 @@
 // occlusion.glsl - how much of the sky is visible from a point, when the whole sky is the lamp.
 //
-// The openness of a point is the share of a matt surface's light that arrives from a uniform sky:
+// The openness of a point is the light that a matt surface receives there from a uniform sky, as a share of the
+// light without any obstacles:
 //   A = 1 / pi times the integral of V(w) cos(angle of w to the normal) over the half-space of the normal,
-// where V(w) = 1 if nothing blocks the direction w, else 0. Projected along the normal, the directions are the
-// points of a disc, and A is the open part of the disc's area. docs/14_occlusion.md proves the claims made
+// where V(w) is 1 if nothing blocks the direction w, and 0 otherwise. Projected along the normal, the directions are
+// the points of a disc, and A is the open part of the disc's area. docs/14_occlusion.md proves the claims made
 // here.
 #include "random.glsl"
 #include "shadow.glsl"
@@ -65,8 +66,8 @@ vec3 cosineDirection(vec3 normal, vec2 square)
 }
 
 // The share of side x side rays that reach the sky: one ray for a random point in each of side x side cells of the
-// unit square. Of the k x k samples of a pixel, each takes a different one of the k x k parts of the cell, and each
-// ray uses a different order, so all samples together have one ray in each of (k side)^2 cells.
+// unit square. Each of the k x k samples of a pixel takes a different one of the k x k parts of a cell, in an order
+// that differs from ray to ray, so all samples together have one ray in each of (k side)^2 cells.
 //   p          on the surface, or a little above it, scene units
 //   normal     length 1
 //   offset     how far above the surface the rays start, as for shadowRay
@@ -74,7 +75,7 @@ vec3 cosineDirection(vec3 normal, vec2 square)
 //   side       >= 0; with 0, no ray is marched and the result is 1
 //   threshold, maxSteps  of the march
 //   dimension  the first of 2 side^2 dimensions of pixelRandom that are used
-// The mean of this share over the samples of a pixel tends to the openness.
+// As the number of samples grows, the mean of this share over the samples of a pixel tends to the openness.
 float skyReaching(vec3 p, vec3 normal, float offset, float far, int side, float threshold,
                   int maxSteps, int dimension)
 {
@@ -95,7 +96,7 @@ float skyReaching(vec3 p, vec3 normal, float offset, float far, int side, float 
 
 const int TAPS = 5;
 
-// How far above the surface tap k lies, k from 0 to TAPS - 1. Each tap is twice as high as the one before.
+// The height of tap k above the surface, k from 0 to TAPS - 1. Each tap is twice as high as the tap before.
 //   reach    height of the last tap, > 0, scene units
 //   formula  reach / 2^(TAPS - 1 - k)
 float tapHeight(int k, float reach)
@@ -125,13 +126,14 @@ float openByTaps(vec3 p, vec3 normal, float reach, float strength)
 
 // ---- Light from nearby surfaces ----
 
-// The light of a point that sees a share of the sky, and in all other directions surfaces with the same light.
+// The light of a point that sees a share of the sky and, in all other directions, surfaces with the same light as the
+// point.
 //   open     openness of the point, in [0, 1]
 //   colour   share of the light that those surfaces reflect, in [0, 1] per channel
-//   bounces  0 for only the sky's light, 1 to include the light of one reflection, 2 that of all reflections
+//   bounces  0 for only the sky's light, 1 to include the light of one reflection, 2 for all reflections
 //   returns  light, relative to that of an open floor
-//   formula  open, open (1 + b), or open / (1 - b), b = colour (1 - open). The last is 1 if colour is 1 and
-//            open at least 1e-6, and 0 if open is 0; exact in a hollow ball with a hole
+//   formula  open, open (1 + b), or open / (1 - b), b = colour (1 - open). The last quotient is 1 if colour is 1 and
+//            open at least 1e-6, and 0 if open is 0; it is exact in a hollow ball with a hole
 vec3 skyAndBounces(float open, vec3 colour, int bounces)
 {
     vec3 back = colour * (1.0 - open);

@@ -55,10 +55,10 @@ float sdTriangle(vec2 p, vec2 a, vec2 b, vec2 c)
 // The largest number of corners that a polygon may have.
 const int POLYGON_CORNERS = 16;
 
-// A polygon of 3 to 16 corners, convex or not. Exact everywhere. If its sides cross, the interior is where a
-// half-line meets them an odd number of times.
+// A polygon of 3 to 16 corners, convex or not. Exact everywhere. If its sides cross, the interior consists of the
+// points from which a half-line meets the sides an odd number of times.
 //   p        point, scene units
-//   corner   the corners in order, clockwise or counter-clockwise, scene units, no two neighbours equal; those
+//   corner   the corners in order, clockwise or counter-clockwise, scene units, no two neighbours equal; elements
 //            from count on are not read
 //   count    number of corners, at most POLYGON_CORNERS
 //   formula  the smallest distance to a side; its sign from the crossings of the half-line from p to the
@@ -87,13 +87,13 @@ float sdPolygon(vec2 p, vec2 corner[POLYGON_CORNERS], int count)
 //   radius     of the circle, > 0, scene units
 //   halfAngle  from the arc's middle to either end, radians, in (0, pi); for a whole circle use opOnion
 //   formula    with q = (|x|, y) and e = (sin halfAngle, cos halfAngle): | |q| - radius | where q.x e.y <=
-//              q.y e.x, that is, where q lies in the arc's sector; else |q - radius e|
+//              q.y e.x, that is, where q is in the arc's sector; otherwise |q - radius e|
 float sdArc(vec2 p, float radius, float halfAngle)
 {
     vec2 q = vec2(abs(p.x), p.y);
     vec2 end = vec2(sin(halfAngle), cos(halfAngle));
     bool within = q.x * end.y <= q.y * end.x;
-    return abs(length(within ? q : q - radius * end) - (within ? radius : 0.0)); // one root for both
+    return abs(length(within ? q : q - radius * end) - (within ? radius : 0.0)); // one square root for both cases
 }
 
 // A figure enlarged by a radius: all points within this distance of the figure. A segment or an arc becomes
@@ -101,7 +101,7 @@ float sdArc(vec2 p, float radius, float halfAngle)
 //   d        distance of the figure, scene units
 //   radius   >= 0, scene units
 //   formula  d - radius
-//   exact outside if d is exact outside; inside too if the figure is convex and d exact, else a
+//   exact outside if d is exact outside; inside, exact if d is exact and the figure convex, otherwise a
 //   lower bound of the depth. To round a rectangle but keep its size, first make it smaller by radius
 float opRound(float d, float radius)
 {
@@ -112,8 +112,8 @@ float opRound(float d, float radius)
 //   d        distance of the figure, scene units
 //   radius   half the shell's width, >= 0, scene units
 //   formula  |d| - radius
-//   exact outside the shell, on both sides of it, if d is exact on both; within the shell a lower
-//   bound of the depth
+//   exact outside the shell, on both sides of it, if d is exact on both sides; within the shell, it is a
+//   lower bound of the depth
 float opOnion(float d, float radius)
 {
     return abs(d) - radius;

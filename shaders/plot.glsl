@@ -1,18 +1,18 @@
-// plot.glsl - the distance along one ray as a graph, below the slice, with the steps on it.
+// plot.glsl - the distance along one ray as a graph, below the slice, with the steps of the march.
 //
 // Slice and graph share the axis along the ray. A step is drawn at (t, distance) and extends to the right by its
-// height, so a march is a staircase. From each step a line falls by 1 per unit of the ray, as fast as a
-// distance can: where the graph dips below this line, the scene's function is not a lower bound of the distance.
+// height, so a march is a staircase. From each step a line falls by 1 per unit of the ray, as fast as a distance can
+// fall: where the graph dips below this line, the scene's function is not a lower bound of the distance.
 #include "signs.glsl"
 #include "inputs.glsl"
 #include "scene.glsl"
 #include "slice.glsl"
 
-// Compiled only for this view.
+// Compiled only for the plot.
 #if VIEW == 5
 
 uniform vec3 iPlotFrame;      // the picture's row of distance 0; distance per pixel; the slice's lowest row
-uniform float iPlotTick;      // distance from tick to tick, 1, 2 or 5 times a power of ten
+uniform float iPlotTick;      // distance between ticks, 1, 2 or 5 times a power of ten
 uniform int  iPlotTickScaled; // the tick as iPlotTickScaled / 10^iPlotDecimals
 uniform int  iPlotDecimals;
 uniform int  iPlotEnd; // why the march ended: END_HIT, ...
@@ -21,7 +21,7 @@ const vec3 PLOT_CURVE     = vec3(0.10, 0.33, 0.70);
 const vec3 PLOT_EMPTY     = vec3(0.99, 0.88, 0.72);
 const vec3 PLOT_THRESHOLD = vec3(0.42, 0.12, 0.55);
 
-// The distance of a point from the segment between two others, in pixels.
+// The distance of a point from the segment between two other points, in pixels.
 float plotLine(vec2 point, vec2 from, vec2 to)
 {
     vec2 way = to - from;
@@ -92,7 +92,7 @@ vec3 plotSteps(vec3 colour, vec2 pixel)
     return mix(colour, SLICE_HERE, here);
 }
 
-// Mark the end of the march, with a ring for a hit and a cross for any other end, and name it.
+// Mark the end of the march, with a ring for a hit and a cross for any other end, and label the mark.
 vec3 plotEnd(vec3 colour, vec2 pixel, float cell)
 {
     float pen = slicePen();
@@ -102,7 +102,7 @@ vec3 plotEnd(vec3 colour, vec2 pixel, float cell)
     float cross = max(abs(from.x), abs(from.y)) < 5.0 * pen ? lineCover((abs(from.x) - abs(from.y)) * 0.7, 1.8 * pen) : 0.0;
     float mark = iPlotEnd == END_HIT ? lineCover(length(from) - 5.5 * pen, 1.8 * pen) : cross;
     vec2 corner = floor(point / cell) + vec2(iPlotEnd == END_HIT ? -5.0 : -7.0, 7.0);
-    // An end outside the picture is named in the corner, where any word fits.
+    // The label of an end outside the picture is in the corner, where every label fits.
     vec2 most = floor(vec2(iResolution.x / cell, iPlotFrame.z / cell)) - vec2(32.0, 8.0);
     float shorter = iPlotEnd == END_HIT ? 20.0 : iPlotEnd == END_STEPS ? 0.0 : 15.0;
     corner = point.x > iResolution.x ? most : min(corner, most + vec2(shorter, 0.0));

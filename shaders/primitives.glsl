@@ -1,7 +1,7 @@
 // primitives.glsl - signed distances of the elementary volumes, each centred at the origin.
 //
 // The distances are positive outside, negative inside, and in scene units. Each is 1-Lipschitz: between two points
-// its value changes by at most their distance.
+// its value changes by at most the distance between the points.
 
 // A ball. Exact everywhere.
 //   p        point, scene units
@@ -47,7 +47,7 @@ float sdBox(vec3 p, vec3 halfSize)
 //   halfSize  half of the outer width, height and depth, scene units
 //   beam      half the thickness of a beam, scene units, in [0, smallest half size]
 // Folded by |p|, the beams along x are one box: x within the outer size, y and z within half a beam's
-// thickness of its centre line. The same holds for y and z, and the result is the union of the three.
+// thickness of the beam's centre line. The same is true for y and z, and the result is the union of the three boxes.
 // Source: report, annex A1.
 float sdBoxFrame(vec3 p, vec3 halfSize, float beam)
 {

@@ -7,8 +7,8 @@
 #include "spectrum.glsl"
 
 // The sine of the angle at which light leaves.
-//   entering  sine of the angle at which it enters, in [-1, 1]
-//   index     of the prism, divided by that of its surroundings, >= 1
+//   entering  sine of the angle at which the light enters, in [-1, 1]
+//   index     refractive index of the prism, divided by that of its surroundings, >= 1
 //   returns   above 1 for total reflection: no light leaves through the second face
 //   formula   sin(apex) sqrt(index^2 - entering^2) - cos(apex) entering
 float prismLeaving(float entering, float apex, float index)
@@ -25,7 +25,7 @@ float prismIndex(float entering, float leaving, float apex)
     return sqrt(entering * entering + along * along);
 }
 
-// The smallest angle by which a prism turns light, reached by light that passes symmetrically.
+// The smallest angle by which a prism deflects light, reached by light that passes symmetrically.
 //   index    at most 1 / sin(apex / 2), or no light passes symmetrically
 //   returns  radians
 //   formula  2 asin(index sin(apex / 2)) - apex
@@ -49,11 +49,11 @@ float planIndex(float index, float rise)
 // The light of a narrow white beam at one point near an equilateral prism, seen from above.
 struct Beam {
     float white; // share of the beam that passes this point in front of the prism, in [0, 1]
-    vec2  waves; // behind the prism: the wavelengths that arrive lie between these two, micrometres; equal if none do
+    vec2  waves; // behind the prism: two limits of the wavelengths that arrive, micrometres; equal if none arrive
 };
 
 // The light at a point, from a beam that enters the middle of one side of an upright prism whose plan is an
-// equilateral triangle, at the angle at which green, 0.55, passes symmetrically.
+// equilateral triangle, at the angle at which green light, 0.55 micrometres, passes symmetrically.
 //   q          point of the plan, from the triangle's centre: x along its base, in the direction of the green
 //              light inside, y towards the edge that the light passes
 //   radius     from the centre to a side, scene units
@@ -61,13 +61,13 @@ struct Beam {
 //   rise       as for planIndex
 //   halfWidth  of the beam, scene units, small compared with radius
 //   formula    the light at q has left the second side at a point that depends on its wavelength. prismIndex for
-//              the direction from there gives the index, and the index gives the point: three iterations, for each
-//              edge of the beam. In the middle of the beam the wavelength is right to 0.0005. The beam is assumed to be
-//              as wide behind the prism as in front of it, which is true for green
+//              the direction from that point gives the index, and the index gives the point: three iterations, for
+//              each edge of the beam. In the middle of the beam the wavelength is right to within 0.0005 micrometres.
+//              The beam is assumed to be as wide behind the prism as in front of it, which is true for green
 Beam prismBeam(vec2 q, float radius, vec2 glass, float rise, float halfWidth)
 {
     const vec2 first = vec2(-0.8660254, 0.5), second = vec2(0.8660254, 0.5); // normals of the two sides
-    const vec2 rising = vec2(0.5, 0.8660254), falling = vec2(0.5, -0.8660254); // along the sides: to the edge, from it
+    const vec2 rising = vec2(0.5, 0.8660254), falling = vec2(0.5, -0.8660254); // along the sides, to and from the edge
     vec2 enter = q - radius * first, leave = q - radius * second;
     float green = planIndex(cauchyIndex(glass, 0.55), rise), entering = 0.5 * green;
     float cosine = sqrt(1.0 - entering * entering);

@@ -1,4 +1,4 @@
-// projection.glsl - the position in the picture of a point in space, for any pixelRay of a chapter.
+// projection.glsl - the position in the picture of a point in space, for any chapter's pixelRay.
 #include "inputs.glsl"
 #include "scene.glsl"
 
@@ -11,14 +11,14 @@ uniform sampler2D iMarch;                   // column k, row 1: the position of 
 uniform int iHandlePoints;                  // how many points to find; 0 to find the steps of the march instead
 uniform vec3 iHandlePoint[HANDLE_POINTS];   // scene units
 
-// The point whose position column k contains.
+// The point whose position is written to column k.
 vec3 projectedPoint(int k)
 {
     return iHandlePoints > 0 ? iHandlePoint[min(k, HANDLE_POINTS - 1)] : texelFetch(iMarch, ivec2(k, 1), 0).xyz;
 }
 
 // The offset from a pixel's ray to a point, perpendicular to the ray, scene units.
-//   along  where the ray passes the point, scene units along it
+//   along  where the ray passes the point, scene units along the ray
 vec3 projectionOffset(vec3 p, vec2 pixel, float along)
 {
     Ray ray = pixelRay(screenPosition(pixel));
@@ -26,11 +26,12 @@ vec3 projectionOffset(vec3 p, vec2 pixel, float along)
 }
 
 // The position in the picture whose ray passes through a point.
-//   returns  x and y in pixels; 1 if there is such a position and the point is in front of the camera, else 0; 0
+//   returns  (x, y, found, 0): x and y are in pixels, and found is 1 if there is such a position and the point is in
+//            front of the camera, and 0 otherwise
 //   formula  Gauss-Newton steps from the middle of the picture. Let q be the offset from the ray to the point, and a, b
-//            the changes of the ray at the point's distance for one pixel to the right and one up, all perpendicular
-//            to the ray; a step minimises |q - x a - y b|. A parallel view converges at once; in other views a step is
-//            as long as the sine of the remaining angle and never overshoots
+//            the changes of the ray at the point's distance if the pixel moves by one to the right or by one upwards,
+//            all perpendicular to the ray; a step minimises |q - x a - y b|. A parallel view converges at once; in
+//            other views a step is as long as the sine of the remaining angle and never overshoots
 vec4 projectedPixel(vec3 p)
 {
     vec2 pixel = 0.5 * iResolution.xy;

@@ -12,7 +12,7 @@ const vec3 RAMP[9] = vec3[9](
     vec3(0.012, 0.390, 0.466), vec3(0.035, 0.523, 0.523), vec3(0.024, 0.666, 0.538),
     vec3(0.373, 0.791, 0.482), vec3(0.702, 0.881, 0.439), vec3(0.994, 0.957, 0.451));
 
-// The ramp at x in [0, 1].
+// The colour of the ramp at x in [0, 1].
 vec3 evenRamp(float x)
 {
     int i = min(int(8.0 * x), 7);

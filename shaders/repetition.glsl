@@ -1,7 +1,7 @@
 // repetition.glsl - one volume, many copies: from a coordinate to the position in its cell.
 //
-// Every function takes one coordinate; a scene that repeats along two axes calls it for each. Cell k reaches
-// from period (k - 1/2) to period (k + 1/2). Indices of cells are integers stored as floats. If
+// Every function takes one coordinate; a scene that repeats along two axes calls the function for each axis. Cell k
+// reaches from period (k - 1/2) to period (k + 1/2). Indices of cells are integers stored as floats. If
 // a claim says that a volume fits in its cell, only the repeated axes count.
 
 // The index of the cell that contains x: cell 0 is centred at 0.
@@ -13,8 +13,8 @@ float cellOf(float x, float period)
     return floor(x / period + 0.5);
 }
 
-// The position in the cell, from -period / 2 to period / 2: a volume drawn at the origin appears in every
-// cell, without end.
+// The position in the cell, from -period / 2 to period / 2: a volume at the origin appears in every cell, without
+// end.
 //   formula  x - period cellOf(x)
 //   f(opRepeat(x))  exact outside if f is, the volume fits in its cell and f(-x) = f(x); a lower
 //            bound if f is one and f(-x) = f(x); otherwise not a bound: evaluate cellNeighbour too
@@ -44,7 +44,7 @@ float opRepeatLimited(float x, float period, float first, float last)
 
 // The position in the cell, mirrored in every cell of odd index: a fold, continuous and 1-Lipschitz.
 //   formula  period / 2 - |mod(x + period / 2, 2 period) - period|
-//   f(opRepeatMirrored(x))  exact outside if f is and the volume fits in its cell; else a lower
+//   f(opRepeatMirrored(x))  exact outside if f is and the volume fits in its cell; otherwise a lower
 //            bound if f is 1-Lipschitz
 float opRepeatMirrored(float x, float period)
 {
@@ -53,7 +53,7 @@ float opRepeatMirrored(float x, float period)
 
 // The index of the cell next to the cell of x, on the nearer side.
 //   min over cellOf and cellNeighbour, f(x - period cell)  exact outside if f is, for identical
-//            copies that fit in their cells; for n axes the minimum over 2^n cells
+//            copies that fit in their cells; for n axes, take the minimum over 2^n cells
 float cellNeighbour(float x, float period)
 {
     float cell = cellOf(x, period);

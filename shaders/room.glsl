@@ -2,9 +2,9 @@
 #include "inputs.glsl"
 #include "scene.glsl"
 
-// The room around a camera at p: the distance to the scene, or a lower bound of it, minus the distance that the
-// camera must keep, scene units. A camera that is moved in the window stops where the room would become negative.
-// Only chapters that want this define the function; no picture depends on it.
+// The room around a camera at p, scene units: the distance to the scene, or a lower bound of that distance, minus the
+// distance that the camera must keep. A camera that is moved in the window stops where the room would become negative.
+// Only chapters that want this behaviour define the function; no picture depends on it.
 float cameraRoom(vec3 p);
 
 // Compiled only for the program that moves the camera.
@@ -14,11 +14,11 @@ uniform vec3 iCameraTo; // where the camera is going, scene units
 
 // Where a camera that moves straight from one point to another comes to rest.
 //   from, to  scene units
-//   returns   to, if there is room for a camera; else a point nearby that has room, so that the camera slides along
-//             the ground; else from. The room never falls below min(0, room at from): a camera that begins below the
-//             ground can leave it, but goes no deeper
-//   formula   Newton's method for room = least along the gradient g: p - room g / |g|^2, with steps 1 % longer because
-//             of rounding. One step is enough on a plane
+//   returns   to, if there is room for a camera; otherwise a point nearby that has room, so that the camera slides
+//             along the ground; or from, if no such point is found. The room never falls below min(0, room at from): a
+//             camera that begins below the ground can leave it, but goes no deeper
+//   formula   Newton's method for room = least, along the gradient g: p - (room - least) g / |g|^2, with steps 1 %
+//             longer because of rounding. One step is enough on a plane
 vec3 cameraStop(vec3 from, vec3 to)
 {
     const float H = 0.004; // step of the differences, scene units

@@ -5,7 +5,7 @@
 
 // The coverage of each sign's pixels, from a font (common/picture/axis_labels.c). A row is 8 cells high, and the
 // baseline of its signs is 2 cells above its lower end. Row 0 contains the digits, the point and the minus, each in the
-// middle of 4 cells, but the point in the middle of 2; each further row contains a word.
+// middle of 4 cells, except the point, which is in the middle of 2; each further row contains a word.
 uniform sampler2D iSigns;
 
 const int SIGN_POINT = 10, SIGN_MINUS = 11;
@@ -66,7 +66,7 @@ int numberWidth(int number, int decimals)
 float numberCover(int number, int decimals, vec2 pixel)
 {
     int cell = signCell(), wide = 4 * cell;
-    ivec2 at = ivec2(floor(pixel)) + ivec2(cell / 2, 0); // half a gap lies to the left of the first sign
+    ivec2 at = ivec2(floor(pixel)) + ivec2(cell / 2, 0); // half a gap is to the left of the first sign
     if (at.x < 0 || at.x >= (numberWidth(number, decimals) + 1) * cell)
         return 0.0;
     if (number < 0 && at.x < wide)

@@ -1,21 +1,21 @@
-// sky.glsl - the position of the sun, the share of its light that passes the air, and the light of the sky.
+// sky.glsl - the position of the sun, the share of its light that passes through the air, and the light of the sky.
 //
 // The air is a shell of uniform density around the Earth. Heights are given by their sine, which is
 // the y of a direction of length 1.
 
 // Optical depth of the air overhead for red, green and blue: for light of 680, 550 and 440 nm.
 // Source: J. E. Hansen, L. D. Travis, 'Light scattering in planetary atmospheres', Space Science
-// Reviews 16 (1974), section 2.1, at sea level: 0.041, 0.097, 0.243, rounded. The wavelength to the power
-// -4 alone, from 0.1 for green, would give 0.043, 0.1, 0.244.
+// Reviews 16 (1974), section 2.1, at sea level: 0.041, 0.097, 0.243, rounded. Scaled from 0.1 for green with the
+// wavelength to the power -4 alone, they would be 0.043, 0.1, 0.244.
 const vec3 RAYLEIGH = vec3(0.04, 0.1, 0.25);
 
 // Radius of the Earth in thicknesses of the shell: with this value the air mass at the horizon is
 // sqrt(2 EARTH + 1) = 38.
 const float EARTH = 721.5;
 
-// How much air a ray passes, as a multiple of the air overhead.
-//   sinHeight  sine of the height above the horizon, in [-1, 1]; below 0 it counts as 0
-//   returns    1 at the zenith, 38 at the horizon; about 1 / sinHeight where that is large
+// How much air a ray passes through, as a multiple of the air overhead.
+//   sinHeight  sine of the height above the horizon, in [-1, 1]; a negative value counts as 0
+//   returns    1 at the zenith, 38 at the horizon; about 1 / sinHeight far above the horizon
 //   formula    (2 E + 1) / (sqrt((E y)^2 + 2 E + 1) + E y), E = EARTH, y = max(sinHeight, 0)
 float airMass(float sinHeight)
 {
@@ -26,7 +26,7 @@ float airMass(float sinHeight)
 
 // The share of the light that passes through the air, per channel.
 //   depth    optical depth of the air overhead, >= 0
-//   mass     the multiple of it that the ray passes, >= 0
+//   mass     air mass of the ray, as from airMass, >= 0
 //   formula  exp(-depth mass)
 // Source: P. Bouguer 1729, J. H. Lambert 1760, A. Beer 1852.
 vec3 transmittance(vec3 depth, float mass)
@@ -34,16 +34,16 @@ vec3 transmittance(vec3 depth, float mass)
     return exp(-depth * mass);
 }
 
-// The light that the air scatters once towards the eye, as a share of the sunlight above the air, if it
+// The light that the air scatters once towards the eye, as a share of the sunlight above the air, if the air
 // scattered equally in all directions.
 //   depth     optical depth of the air overhead, per channel, > 0
 //   viewMass  air mass of the ray from the eye
 //   sunMass   air mass of the ray from the sun
-//   formula   v (exp(-depth s) - exp(-depth v)) / (v - s), v = viewMass, s = sunMass; where they
-//             differ by less than 0.02, s + 0.02 replaces v in the quotient: an error of at most
-//             about depth / 50 of the light
-//   The formula assumes that every slanting path is v or s times the vertical one, at every height: exact over a
-//   flat Earth, a model with the air masses of a round one.
+//   formula   v (exp(-depth s) - exp(-depth v)) / (v - s), v = viewMass, s = sunMass; where v and s
+//             differ by less than 0.02, s + 0.02 replaces v in the quotient, which causes an error of
+//             at most about depth / 50 of the light
+//   The formula assumes that every slanting path is v or s times the vertical path, at every height: this is exact
+//   over a flat Earth, and a model with the air masses of a round Earth.
 // Source: S. Chandrasekhar, 'Radiative transfer' (1950): the first order of a plane layer.
 vec3 scatteredLight(vec3 depth, float viewMass, float sunMass)
 {
@@ -63,7 +63,7 @@ vec3 scatteredLight(vec3 depth, float viewMass, float sunMass)
 //                within a minute of midnight, where rounding moves the sun by up to 0.0005
 vec3 sunDirection(float hour, float latitude, float declination)
 {
-    float k = sin(radians(7.5 * (mod(hour, 24.0) - 12.0))); // of H / 2, whose cosine is not negative
+    float k = sin(radians(7.5 * (mod(hour, 24.0) - 12.0))); // sine of H / 2, whose cosine is not negative
     vec2 turn = vec2(1.0 - 2.0 * k * k, 2.0 * k * sqrt(max(1.0 - k * k, 0.0)));
     vec2 observer = vec2(cos(radians(latitude)), sin(radians(latitude)));
     vec2 season = vec2(cos(radians(declination)), sin(radians(declination)));
@@ -71,7 +71,7 @@ vec3 sunDirection(float hour, float latitude, float declination)
                 observer.y * season.y + observer.x * season.x * turn.x, -season.x * turn.y);
 }
 
-// The share of a ray that the disc of the sun or the moon covers: 1 inside, 0 outside, soft at the rim.
+// The coverage of a direction by the disc of the sun or the moon: 1 inside, 0 outside, soft at the rim.
 //   direction, centre  length 1
 //   radius             radians, small
 float disc(vec3 direction, vec3 centre, float radius)
@@ -81,7 +81,7 @@ float disc(vec3 direction, vec3 centre, float radius)
 
 // The glow around the sun: light that dust scatters forward, 1 towards the sun.
 //   direction, sun  length 1
-//   g        mean cosine of the angle of scattering, in [0, 1): the nearer to 1, the narrower
+//   g        mean cosine of the scattering angle, in [0, 1): the nearer to 1, the narrower the glow
 //   formula  ((1 - g)^2 / (1 + g^2 - 2 g c))^(3/2), c the cosine of the angle to the sun
 // Source: L. G. Henyey, J. L. Greenstein, 'Diffuse radiation in the galaxy', Astrophysical Journal
 // 93 (1941).

@@ -6,7 +6,7 @@
 // sun, to 6e-8 at night; hourStops gives the exposure. y is up; directions have length 1; below the horizon the sky is
 // the same as at the horizon.
 //
-// The chapter must declare each texture as sRGB and clamp, because it contains light.
+// The chapter must declare each texture as sRGB and clamp, because the textures contain light.
 #include "sky.glsl"
 
 // Columns and rows of a table of the sky, in each of its three storeys, from the bottom: light scattered once by air,
@@ -15,7 +15,7 @@
 const vec2  SKY_TABLE = vec2(288.0, 160.0);
 const float LOWEST_SUN = -0.28;
 
-// How far the axes are stretched around 0: that of the sun's height (x) and that of the direction's (y).
+// The k of drawnOut for the two axes: the sun's height (x) and the direction's height (y).
 const vec2 SKY_WIDTH = vec2(0.1, 0.06);
 
 // Columns and rows of the table of the sun, and how far the table reaches, in radii of the sun.
@@ -30,11 +30,11 @@ const float NO_BLUE = 128.0 / 255.0;
 // The mean cosine of the angle by which dust scatters, for phaseDust.
 const float DUST_FORWARD = 0.76;
 
-// ---- Where to look ----
+// ---- Positions in a table ----
 
 // The position of the sine of a height in a table: stretched around 0, where the sky changes fastest.
 //   sine     in [-1, 1]
-//   k        in (0, 1): near 0 the table is stretched by 1 / k
+//   k        in (0, 1): near sine = 0 the table is stretched by 1 / k
 //   returns  in [-1, 1], with the sign of sine
 //   formula  the x with x (k + (1 - k) |x|) = sine
 float drawnOut(float sine, float k)
@@ -42,7 +42,7 @@ float drawnOut(float sine, float k)
     return sign(sine) * (sqrt(k * k + 4.0 * (1.0 - k) * abs(sine)) - k) / (2.0 * (1.0 - k));
 }
 
-// Column (x) and row (y) of the sky in a table: 0 is the centre of the first one, 1 that of the last one.
+// Column (x) and row (y) of the sky in a table: 0 is the centre of the first column or row, 1 that of the last.
 //   sun        sine of the sun's height; below LOWEST_SUN it counts as LOWEST_SUN
 //   direction  sine of the direction's height; below 0 it counts as 0
 vec2 skyUV(float sun, float direction)
@@ -51,7 +51,7 @@ vec2 skyUV(float sun, float direction)
     return vec2((column - lowest) / (1.0 - lowest), drawnOut(max(direction, 0.0), SKY_WIDTH.y));
 }
 
-// x if it is far above 0, 0 if it is far below, and a smooth transition in between.
+// x if x is far above 0, 0 if x is far below 0, and a smooth transition in between.
 float beyond(float x)
 {
     return 0.5 * (x + sqrt(x * x + 0.0004));
@@ -62,13 +62,13 @@ struct SkyScale {
     vec3 air, dust, more;
 };
 
-// The scale of a point. By day the light decreases as thick air removes it, blue the most, and more the lower one
-// looks; in twilight the light decreases by a factor of 2 to 9 for each degree that the sun sinks, that of dust by a
-// factor of 11 to 33. Light spans many powers of ten, and a byte does not.
+// The scale at a position of the table, which is needed because light spans many powers of ten and a byte does not. By
+// day, thick air removes light, most of all blue light and light near the horizon; in twilight the light decreases by a
+// factor of 2 to 9 for each degree that the sun sinks, and the light of dust by a factor of 11 to 33.
 //   sun      sine of the sun's height
 //   row      from skyUV, in [0, 1]
-//   formula  fitted; the remaining factor is in the table, and lies in [0, 1]. In a few texels at dusk, where dust
-//            sends little of the light, its green would exceed 1 and is cut off
+//   formula  fitted; the table contains the remaining factor, which is in [0, 1]. In a few texels at dusk, where dust
+//            sends little of the light, the factor of the dust's green would exceed 1 and is cut off
 SkyScale skyScale(float sun, float row)
 {
     float low = 1.0 / (max(sun, 0.0) + 0.068), foot = 1.0 / (1.0 + 114.0 * row * row);
@@ -119,17 +119,18 @@ float levelCosine(vec3 direction, vec3 sun)
 //   sun      sine of the sun's height
 //   row      from skyUV
 //   formula  ((1 + a) / 2)^p, p = 1 + (q - 1) (1 - 0.28 a), log2 q = 0.6 + 0.37 d - 2.75 row, in [0, 6], d the
-//            degrees by which the sun is below the horizon. By day p is 1, because the light without its phases is
-//            almost linear in a; in twilight the glow contracts, most of all near the horizon. At the zenith any share
-//            will do: both tables agree there. Fitted; docs/18_sky_from_tables.md measures its error.
+//            degrees by which the sun is below the horizon. By day p is about 1, because the light divided by its phase
+//            function is almost linear in a; in twilight the glow contracts, most of all near the horizon. At the
+//            zenith any share will do, because the two tables agree there. The formula is fitted;
+//            docs/18_sky_from_tables.md measures its error
 float sunwardShare(float a, float sun, float row)
 {
     float narrow = exp2(clamp(0.6 - 21.3 * sun - 2.75 * row, 0.0, 6.0)) - 1.0;
     return pow(0.5 + 0.5 * a, 1.0 + narrow * (1.0 - 0.28 * a));
 }
 
-// sunwardShare for light that was scattered more than once, which comes from all sides and so depends less on the
-// position of the sun.
+// sunwardShare for light that was scattered more than once. This light comes from all sides and therefore depends less
+// on the position of the sun.
 //   the parameters are those of sunwardShare
 //   formula  ((1 + a) / 2)^p, p = 1 + 3.7 (1 - row)^2 d / (d + 0.15), d = max(-sun, 0)
 float moreShare(float a, float sun, float row)
@@ -140,7 +141,7 @@ float moreShare(float a, float sun, float row)
 
 // The light of one storey of a table. The light of a low sun is redder than the screen's red, with a blue a little
 // below 0, which no colour of a picture can represent; and near 0 a screen distinguishes more values of blue than a
-// byte has. The fourth number contains the missing part.
+// byte has. The fourth number of a texel contains the missing part of the blue.
 //   uv      from skyUV
 //   storey  0 air, 1 dust, 2 more
 //   scale   of the storey
@@ -151,8 +152,8 @@ vec3 storeyLight(sampler2D table, vec2 uv, float storey, vec3 scale)
     return scale * light.rgb + vec3(0.0, 0.0, BLUE_FINE * scale.r * (light.a - NO_BLUE));
 }
 
-// The light of a table in a direction after one scattering: that of air and dust, each with the share that is scattered
-// in this direction.
+// The light of a table in a direction after one scattering: the light of air and of dust, each with the share that is
+// scattered in this direction.
 //   c  cosine of the angle to the sun
 vec3 onceLight(sampler2D table, vec2 uv, float c, SkyScale scale)
 {
@@ -170,7 +171,7 @@ vec3 tableLight(sampler2D table, vec2 uv, float c, SkyScale scale)
 //   direction      of the ray, length 1
 //   sun            direction of the sun, length 1
 //   returns        linear light, >= 0; 1 is 4,000 cd/m^2
-//   formula        both tables mixed, by sunwardShare for light scattered once and by moreShare for the rest
+//   formula        the mix of the two tables: by sunwardShare for light scattered once, by moreShare for other light
 vec3 tableSky(sampler2D sunward, sampler2D away, vec3 direction, vec3 sun)
 {
     vec2 uv = skyUV(sun.y, direction.y);
@@ -184,8 +185,8 @@ vec3 tableSky(sampler2D sunward, sampler2D away, vec3 direction, vec3 sun)
 
 // ---- The sun ----
 
-// The sun's light on a surface perpendicular to its rays, after the air. Multiply it by the cosine of the angle to the
-// surface's normal.
+// The sun's light on a surface perpendicular to its rays, after its path through the air. Multiply it by the cosine of
+// the angle to the surface's normal.
 //   sun      direction of the sun; the light falls smoothly to 0 as the sun's centre sinks to 0.7 degrees below the
 //            horizon
 //   formula  light exp(-depth airMass), fitted to the integral; above 2 degrees within 5 % of the largest channel
@@ -199,11 +200,11 @@ vec3 tableSunlight(vec3 sun)
 //   table      sun_halo.png, sRGB clamp
 //   direction  of the ray, length 1
 //   sun        direction of the sun, length 1
-//   radius     of the disc, radians: 0.00466 is the real one. A larger disc sends as much light in total
+//   radius     of the disc, radians: the real radius is 0.00466. A larger disc sends as much light in total
 //   returns    linear light: 46,000 times tableSunlight on average over a disc of the real radius
-//   formula    the table by |direction - sun| / radius and by the direction's height, times the light of a
-//              disc of this size, and outside of it times 0.004 (1 + 0.054 x^2)^(-3/2), x the distance in radii: the
-//              dust's coarsest grains scatter like this, by phaseDust with 0.98 for DUST_FORWARD
+//   formula    the table at |direction - sun| / radius and the direction's height, times the light of a disc of
+//              this size; outside the disc also times 0.004 (1 + 0.054 x^2)^(-3/2), x the distance in radii, because
+//              the coarsest grains of dust scatter as phaseDust does with 0.98 for DUST_FORWARD
 vec3 tableSun(sampler2D table, vec3 direction, vec3 sun, float radius)
 {
     float x = length(direction - sun) / radius, height = max(direction.y, 0.0);
@@ -236,8 +237,8 @@ vec3 tableAmbient(vec3 sun)
     return exp2(skyBrightness(sun.y)) * colour;
 }
 
-// The exposure for a time of day, in stops, for exposed() of film.glsl. An eye and a camera follow the light,
-// but not all the way: light that is fainter by 1 stop is shown darker by 0.15 stops.
+// The exposure for a time of day, in stops, for exposed() of film.glsl. An eye and a camera adapt to the light,
+// but not completely: light that is fainter by 1 stop is shown darker by 0.15 stops.
 //   sinSunHeight  any sine
 //   returns       -1.7 at noon, 1.1 at sunset, 8.1 with the sun at -6 degrees, 18.4 at night
 //   formula       -2 - 0.85 log2(2^skyBrightness + 6e-8); the last term is the light of a moonless night

@@ -1,4 +1,4 @@
-// slice.glsl - the march of one ray, seen from the side: the distance around it, every position and
+// slice.glsl - the march of one ray, seen from the side: the distance around the ray, every position and
 // every circle of radius sceneDistance.
 //
 // The plane contains the ray and the camera's up vector. The ray points to the right. A point of the
@@ -7,17 +7,17 @@
 #include "inputs.glsl"
 #include "scene.glsl"
 
-// Compiled only for this view, and for the plot, which shows it above the graph.
+// Compiled only for the slice, and for the plot, which shows the slice above the graph.
 #if VIEW == 4 || VIEW == 5
 
 uniform sampler2D iMarch;      // column k: t and distance of step k, as a probe wrote them
-uniform int   iMarchSteps;     // columns that contain a step
-uniform bool  iMarchHit;       // the last step found the surface
-uniform float iMarchStep;      // the selected step, with a fraction on the way to the next; -1 to show all
+uniform int   iMarchSteps;     // number of columns that contain a step
+uniform bool  iMarchHit;       // whether the last step found the surface
+uniform float iMarchStep;      // the selected step, with a fraction on the way to the next step; -1 to show all
 uniform vec2  iMarchPixel;     // centre of the pixel whose ray is marched, in pixels
 uniform vec3  iSliceFrame;     // (along, across) of the picture's bottom left corner; units per pixel
-uniform float iSliceTick;      // scene units from tick to tick, 1, 2 or 5 times a power of ten
-uniform float iSliceLine;      // scene units from one line of equal distance to the next
+uniform float iSliceTick;      // scene units between ticks, 1, 2 or 5 times a power of ten
+uniform float iSliceLine;      // scene units between lines of equal distance
 uniform int   iSliceTickScaled; // the tick as iSliceTickScaled / 10^iSliceDecimals
 uniform int   iSliceDecimals;
 
@@ -25,7 +25,7 @@ const vec3 SLICE_INK   = vec3(0.05, 0.08, 0.20);
 const vec3 SLICE_PAPER = vec3(1.00, 0.985, 0.95);
 const vec3 SLICE_HERE  = vec3(0.80, 0.00, 0.28); // the selected step
 
-// All colours outside are lighter than those inside, so the picture does not depend on hue.
+// All colours outside are lighter than those inside, so the picture can be read without telling hues apart.
 const vec3 SLICE_OUT_NEAR = vec3(0.97, 0.66, 0.32);
 const vec3 SLICE_OUT_FAR  = vec3(0.99, 0.88, 0.72);
 const vec3 SLICE_IN_NEAR  = vec3(0.27, 0.50, 0.80);
@@ -63,7 +63,7 @@ float sliceSlope(vec3 p, vec3 along, vec3 across)
     return clamp(length(slope), 0.25, 1.0);
 }
 
-// The distance as a colour, with its lines and the surface.
+// The distance as a colour, with lines of equal distance and the surface.
 //   slope  from sliceSlope
 vec3 sliceField(float distance, float slope)
 {
@@ -81,7 +81,7 @@ vec3 sliceField(float distance, float slope)
     return mix(colour, SLICE_PAPER, surface);
 }
 
-// The steps whose circles are shown: all, or those up to the selected one.
+// The number of steps whose circles are shown: all steps, or those up to the selected step.
 int sliceSteps()
 {
     return iMarchStep < 0.0 ? iMarchSteps : min(iMarchSteps, int(iMarchStep) + 1);
@@ -93,7 +93,7 @@ vec2 sliceStep(int k)
     return texelFetch(iMarch, ivec2(k, 0), 0).xy;
 }
 
-// The selected position on the ray: that of the selected step, or a point on the way to the next one.
+// The selected position on the ray: that of the selected step, or a point on the way to the next step.
 float sliceHere()
 {
     int k = sliceSteps() - 1;
@@ -101,8 +101,8 @@ float sliceHere()
     return mix(sliceStep(k).x, sliceStep(min(k + 1, iMarchSteps - 1)).x, way);
 }
 
-// The number of a step above its position, if there is room: the result is 0 where nothing is drawn, else 1 for the
-// label's background plus the share of the pixel that the number covers.
+// The number of a step above its position, if there is room: the result is 0 where nothing is drawn, otherwise 1 for
+// the label's background plus the share of the pixel that the number covers.
 //   pixel     of the picture
 //   position  of the step in the picture, in pixels
 //   room      to the neighbours, in pixels
@@ -119,7 +119,7 @@ float stepNumber(int step, vec2 pixel, vec2 position, float room)
     return 1.0 + numberCover(step, 0, pixel - cell * corner);
 }
 
-// Draw every step over a colour: the area that the circles prove empty, the circles, the positions, the numbers.
+// Draw every step over a colour: the area that the circles prove empty, the circles, the positions and the numbers.
 // A circle whose centre lies outside the picture is pale: such circles are large and crowd together.
 // The circle of the next step grows as the selected position approaches it.
 //   point  (along, across)

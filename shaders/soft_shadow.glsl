@@ -2,7 +2,7 @@
 //
 // The lamp is a disc of radius spread, at a distance of 1 from the point and perpendicular to the direction to it:
 // the sun, or a round lamp that faces the point with a radius of spread times its distance. A point of the disc is
-// given in its radii, with (0, 0) at its centre. docs/13_soft_shadows.md proves the claims made here.
+// given in radii of the disc, with (0, 0) at the centre. docs/13_soft_shadows.md proves the claims made here.
 #include "random.glsl"
 #include "shadow.glsl"
 
@@ -11,7 +11,7 @@ const float PI = 3.14159265;
 // ---- Closed forms ----
 
 // The visible share of the disc beside a straight edge.
-//   clear    how far the centre of the disc is clear of the edge, in radii; negative behind it
+//   clear    how far the centre of the disc is clear of the edge, in radii; negative behind the edge
 //   returns  0 up to clear = -1, 1/2 at 0, 1 from 1 on
 //   formula  1/2 + (asin(c) + c sqrt(1 - c^2)) / pi, c = clear in [-1, 1]: the disc's area without a
 //            circular segment. Exact
@@ -33,9 +33,9 @@ float segmentArea(float angle)
 }
 
 // The visible share of the disc beside another disc.
-//   clear    how far the centre of the first is clear of the other's rim, in radii of the first;
-//            negative behind it, at least -radius
-//   radius   of the other, in the same unit, > 0; for a large radius the result tends to discBesideEdge
+//   clear    how far the centre of the first disc is clear of the other's rim, in radii of the first disc;
+//            negative behind the rim, at least -radius
+//   radius   of the other disc, in the same unit, > 0; for a large radius the result tends to discBesideEdge
 //   formula  1 - (S(a) + radius^2 S(b)) / pi, S = segmentArea: two segments on one chord. With d = clear +
 //            radius from centre to centre, the chord is at x = cos a = (d^2 + 1 - radius^2) / (2 d) from
 //            the first centre and at d - x = radius cos b from the other. Exact for discs in one plane
@@ -43,7 +43,7 @@ float discBesideDisc(float clear, float radius)
 {
     float between = max(clear + radius, 1e-6);
     float x = clamp(0.5 * (clear * clear + 2.0 * clear * radius + 1.0) / between, -1.0, 1.0);
-    float chord = sqrt(1.0 - x * x); // half its length
+    float chord = sqrt(1.0 - x * x); // half of the chord's length
     float a = atan(chord, x), b = atan(chord, between - x);
     return 1.0 - (segmentArea(a) + radius * radius * segmentArea(b)) / PI;
 }
@@ -67,10 +67,11 @@ float lampBesideEdge(vec3 p, vec3 toLight, float spread, vec3 onEdge, vec3 along
 //   centre, radius      of the ball, which does not contain p. The whole outline of the ball must be in front of the
 //                       plane through p perpendicular to toLight
 //   formula  the ball hides directions up to beta = asin(radius / distance) from that of its centre, which
-//            is at an angle of psi to toLight. On the disc's plane they fill an ellipse. The formula replaces it with
-//            the circle of radius tan beta that touches it at its point nearest to toLight, at tan(psi - beta)
-//   exact if the ball's centre is straight in front of the lamp's; else the error is at most 0.1 spread^2, which
-//   is 1e-4 for a spread of 0.03; the sun's is 0.0047
+//            is at an angle of psi to toLight. On the disc's plane these directions fill an ellipse. The formula
+//            replaces the ellipse with the circle of radius tan beta that touches it at the point nearest to toLight,
+//            at tan(psi - beta)
+//   exact if the ball's centre is straight in front of the lamp's; otherwise the error is at most 0.1 spread^2, which
+//   is 1e-4 for a spread of 0.03; the spread of the sun is 0.0047
 float lampBesideBall(vec3 p, vec3 toLight, float spread, vec3 centre, float radius)
 {
     vec3 toBall = centre - p;
@@ -96,8 +97,8 @@ struct Clearance {
 //   threshold, maxSteps  of the march
 //   most        with an exact distance, the sine of the angle is the smallest of distance / t over all t;
 //               the smallest over the steps is never less
-//   least       two balls of empty space, of radius a around the last step and h around this one, meet in a circle
-//               of radius sqrt(h^2 - y^2), y = h^2 / (2 a) before this step: the tangent of the smallest
+//   least       two balls of empty space, of radius a around the previous step and h around this step, meet in a
+//               circle of radius sqrt(h^2 - y^2), y = h^2 / (2 a) before this step: the tangent of the smallest
 //               angle of such a circle, among those less than a right angle. This needs a lower bound of the
 //               distance
 // Sources: I. Quilez, 'Soft shadows in raymarched SDFs' (2010), for the first; S. Aaltonen, 'GPU-based clay
@@ -142,7 +143,7 @@ vec2 discPoint(vec2 square)
 }
 
 // The direction to a point of the lamp.
-//   toLight  to its centre, length 1
+//   toLight  direction of the lamp's centre, length 1
 //   point    in the disc of radius 1
 //   returns  length 1
 vec3 lampDirection(vec3 toLight, float spread, vec2 point)
@@ -152,14 +153,14 @@ vec3 lampDirection(vec3 toLight, float spread, vec2 point)
     return normalize(toLight + spread * (point.x * right + point.y * up));
 }
 
-// The share of side x side rays that reach the lamp. The square of discPoint is divided into this many cells, and
-// each ray goes to a random point of one of them.
+// The share of side x side rays that reach the lamp. The unit square of discPoint is divided into side x side cells,
+// and each ray goes to a random point of a different cell.
 //   ray        from shadowRay, towards the lamp's centre
 //   spread     radius of the lamp's disc, > 0
 //   side       >= 0; with 0, no ray is marched and the result is 1
 //   distance, threshold, maxSteps  as for lightReaching
 //   dimension  the first of 2 side^2 dimensions of pixelRandom that are used
-// The mean of the result over the samples of a pixel tends to the visible share.
+// As the number of samples grows, the mean of the result over the samples of a pixel tends to the visible share.
 float lampReaching(Ray ray, float distance, float spread, int side, float threshold, int maxSteps,
                    int dimension)
 {

@@ -6,9 +6,9 @@
 // which of them are exact.
 #include "plane.glsl"
 
-// ---- Two ways out of the plane ----
+// ---- From the plane to space ----
 
-// Extrusion: a figure drawn along a straight line perpendicular to its plane.
+// Extrusion: a figure moved along a straight line perpendicular to its plane.
 //   figure      signed distance of the figure at the two coordinates perpendicular to the line, scene units
 //   along       the third coordinate, from the middle of the solid, scene units
 //   halfLength  half the length of the solid, scene units, >= 0
@@ -23,17 +23,17 @@ float opExtrude(float figure, float along, float halfLength)
     return length(max(q, 0.0)) + min(max(q.x, q.y), 0.0);
 }
 
-// Revolution: map a point of a figure revolved about the y axis back to the figure's plane. The half-plane
+// Revolution: map a point in space back to the plane of a figure that is revolved about the y axis. The half-plane
 // through the axis and the point becomes the plane of the figure: x away from the axis, y upwards.
 //   p        point, scene units
 //   offset   scene units: the figure's origin moves on a circle of this radius; with 0, it is on the axis
 //   formula  (|(x, z)| - offset, y); 1-Lipschitz
-//   sd(opRevolve(p, offset))  a lower bound if sd is one: no figure makes it unsafe. The part of the figure,
-//            moved by offset, at x < 0 is not drawn but still counts. So it is
-//            exact outside if sd is and each point of the figure at x < 0 has its mirror image in it
-//            (there is none, or the figure is symmetric, or the larger part is drawn);
+//   sd(opRevolve(p, offset))  a lower bound if sd is one, for every figure. The part of the figure,
+//            moved by offset, at x < 0 is not drawn but still counts. Therefore the result is
+//            exact outside if sd is and each point of the figure at x < 0 has its mirror image in the figure
+//            (there is no such point, or the figure is symmetric, or the larger part is drawn);
 //            exact inside if sd is and each point outside the figure at x < 0 has its mirror image outside
-//            it, too, or the figure stays away from the axis
+//            the figure, too, or the figure stays away from the axis
 // Source: I. Quilez, 'Distance functions'.
 vec2 opRevolve(vec3 p, float offset)
 {
@@ -56,8 +56,8 @@ float sdCylinder(vec3 p, float radius, float halfHeight)
 //   p           point, scene units
 //   apothem     from the axis to the middle of a side, > 0, scene units; an edge is 2 / sqrt(3) times as far
 //   halfHeight  >= 0, scene units
-// The hexagon is symmetric in the mirrors x = 0, z = 0 and z = x / sqrt(3). Once the point is folded along
-// them, one side is the nearest: at x = apothem, extending apothem / sqrt(3) to both sides.
+// The hexagon is symmetric about the planes x = 0, z = 0 and z = x / sqrt(3). Once the point is folded along these
+// planes, one side is the nearest: at x = apothem, extending apothem / sqrt(3) in both directions.
 float sdHexPrism(vec3 p, float apothem, float halfHeight)
 {
     vec2 q = abs(p.xz);
@@ -66,10 +66,10 @@ float sdHexPrism(vec3 p, float apothem, float halfHeight)
     return opExtrude(q.x < 0.0 ? q.x : length(q), p.y, halfHeight);
 }
 
-// A cone with its tip cut off, or a whole one. Exact everywhere.
+// A cone with its tip cut off, or a whole cone. Exact everywhere.
 //   p           point, scene units
 //   below       radius at y = -halfHeight, >= 0, scene units
-//   above       radius at y = halfHeight, >= 0, scene units; one of the two may be 0: a tip
+//   above       radius at y = halfHeight, >= 0, scene units; one of the two radii may be 0, for a tip
 //   halfHeight  > 0, scene units
 // The revolved figure is a trapezoid, symmetric about the axis. In the half with x >= 0 its boundary has
 // three parts, two caps and the wall: the nearer of the wall and the cap on the point's side counts.

@@ -1,7 +1,7 @@
-// spectrum.glsl - light of one wavelength: how glass bends it, and its colour on a screen.
+// spectrum.glsl - light of one wavelength: how glass refracts it, and its colour on a screen.
 //
-// Wavelengths are in micrometres (thousandths of a millimetre), of light in a vacuum: from SHORTEST_WAVE, violet, to
-// LONGEST_WAVE, red. White light contains equal parts of all of them.
+// Wavelengths are those of light in a vacuum, in micrometres (thousandths of a millimetre), from SHORTEST_WAVE, violet,
+// to LONGEST_WAVE, red. White light contains equal parts of all these wavelengths.
 
 const float SHORTEST_WAVE = 0.40;
 const float LONGEST_WAVE = 0.70;
@@ -28,7 +28,7 @@ float cauchyWave(vec2 glass, float index)
     return sqrt(glass.y / max(index - glass.x, 1e-9));
 }
 
-// A bell with two different halves: 1 at middle, 1 / e at middle - below and at middle + above.
+// A bell curve with two different halves: 1 at middle, 1 / e at middle - below and at middle + above.
 float bell(float x, float middle, float below, float above)
 {
     float part = (x - middle) / (x < middle ? below : above);
@@ -38,10 +38,10 @@ float bell(float x, float middle, float below, float above)
 // The colour of one wavelength, as a weight: the mean over all wavelengths from SHORTEST_WAVE to LONGEST_WAVE is
 // white, (1, 1, 1).
 //   returns  linear red, green, blue, >= 0, up to 5.5
-//   formula  a bell per channel, and a second one for the red in violet: fitted to the eye's curves of 1931 in the
-//            screen's primaries. There a pure colour has a negative channel, which no screen can display: it is
-//            replaced with 0, and each channel is divided by its mean. The fit is off by at most 0.4
-// Sources: CIE 1931 colour matching functions, by the fit of C. Wyman, P.-P. Sloan, P. Shirley, 'Simple analytic
+//   formula  a bell per channel, and a second bell for the red in violet: fitted to the eye's curves of 1931 in the
+//            screen's primaries. In these primaries a pure colour has a negative channel, which no screen can display:
+//            it is replaced with 0, and each channel is divided by its mean. The fit is off by at most 0.4
+// Sources: CIE 1931 colour matching functions, as fitted by C. Wyman, P.-P. Sloan, P. Shirley, 'Simple analytic
 // approximations to the CIE XYZ color matching functions', Journal of Computer Graphics Techniques 2 (2013);
 // IEC 61966-2-1 for the primaries.
 vec3 waveColour(float wavelength)
@@ -54,7 +54,7 @@ vec3 waveColour(float wavelength)
 
 // Wavelength k of the count wavelengths of a sample, one in each of count equal parts of the spectrum.
 //   k, count  0 <= k < count
-//   shift     position within its part, in [0, 1]; 1/2 is the middle: for count 1 that is 0.55, green
+//   shift     position within the part, in [0, 1]; 1/2 is the middle, which for count 1 is 0.55, green
 float sampleWave(int k, int count, float shift)
 {
     return mix(SHORTEST_WAVE, LONGEST_WAVE, (float(k) + shift) / float(count));
@@ -63,8 +63,8 @@ float sampleWave(int k, int count, float shift)
 // The colour of light that contains only the wavelengths between two limits, relative to white light, which contains
 // all of them.
 //   a, b     wavelengths, in either order; any part outside the visible range is left out
-//   returns  white, (1, 1, 1), for the whole range: computed from ten wavelengths, off by at most 0.02 there and by at
-//            most 0.03 for parts of it
+//   returns  white, (1, 1, 1), for the whole range. The result is computed from ten wavelengths, and is off by at most
+//            0.02 for the whole range and by at most 0.03 for a part
 vec3 meanColour(float a, float b)
 {
     a = clamp(a, SHORTEST_WAVE, LONGEST_WAVE);

@@ -1,7 +1,7 @@
 // stored.glsl - a distance that is stored in a grid: the values at its points, and the interpolation between them.
 //
-// A grid has STORED_SIDE points on each axis, from -1 to 1, and stores distances up to STORED_RANGE. It is a texture:
-// shaders/textures/clay.c writes one. docs/23_stored_distances.md proves the claims made here.
+// A grid has STORED_SIDE points on each axis, from -1 to 1, and stores distances up to STORED_RANGE. The grid is a
+// texture; shaders/textures/clay.c writes an example. docs/23_stored_distances.md proves the claims made here.
 #include "scene.glsl"
 
 const int   STORED_SIDE = 64;   // points on each axis
@@ -9,7 +9,7 @@ const float STORED_RANGE = 0.5; // the largest distance that is stored, scene un
 const float STORED_CELL = 2.0 / float(STORED_SIDE - 1); // side of a cell, scene units
 
 // The value at a point of the grid.
-//   grid     the red channel has the high byte, the green channel the low one; never filtered, because a filter of
+//   grid     the red channel has the high byte, the green channel the low byte; never filtered, because a filter of
 //            8 bits would lose the low byte
 //   point    indices of the point, each in [0, STORED_SIDE)
 //   formula  (2 code / 65535 - 1) STORED_RANGE, code = 256 red + green
@@ -22,7 +22,7 @@ float storedValue(sampler3D grid, ivec3 point)
 
 // The eight values around a point.
 struct StoredCell {
-    vec4 near, far; // at the lower z and at the higher: (0, 0), (1, 0), (0, 1), (1, 1) in x and y
+    vec4 near, far; // at the lower and at the higher z: (0, 0), (1, 0), (0, 1), (1, 1) in x and y
     vec3 share;     // position in the cell, each in [0, 1]
 };
 
@@ -40,11 +40,11 @@ StoredCell storedCell(sampler3D grid, vec3 q)
 }
 
 // Trilinear interpolation: a mean of the eight values, weighted by products of the shares.
-//   formula  the lines of the cell along x, y and z, one after the other
+//   formula  linear interpolation along z, y and x, one after the other
 //   returns  scene units. If the grid has the values of a distance, the result errs by at most
 //            sqrt(3) / 2 STORED_CELL and, where the distance has a curvature, by at most 3 / 8 STORED_CELL^2 times
-//            that. The result is sqrt(3)-Lipschitz: not a bound, but divided by sqrt(3) a lower bound of the distance
-//            to the surface on which it is 0
+//            the curvature. The result is sqrt(3)-Lipschitz. It is not a bound, but divided by sqrt(3) it is a lower
+//            bound of the distance to the surface on which it is 0
 float trilinear(StoredCell cell)
 {
     vec4 between = mix(cell.near, cell.far, cell.share.z);
@@ -76,11 +76,11 @@ float storedDistance(sampler3D grid, vec3 p)
     return outside > 0.0 ? length(vec2(outside, value)) : value;
 }
 
-// A step towards the surface of an interpolated distance that never crosses it.
+// A step towards the surface of an interpolated distance that never crosses the surface.
 //   value    of storedDistance, scene units
-//   formula  the larger of value / sqrt(3) and value - sqrt(3) STORED_CELL: the first by the Lipschitz constant, the
-//            second because the values belong to a distance, which is itself 1-Lipschitz; inside, the same with the
-//            opposite sign
+//   formula  the larger of value / sqrt(3) and value - sqrt(3) STORED_CELL: the first because of the Lipschitz
+//            constant, the second because the stored values belong to a distance, which is itself 1-Lipschitz; inside,
+//            the same with the opposite sign
 //   returns  scene units; a lower bound of the distance to the surface where storedDistance is 0
 float storedStep(float value)
 {

@@ -8,8 +8,8 @@
 //   slope      the largest |grad h| in the region, >= 0
 //   direction  of the ray, length 1
 //   formula    |v_y| + slope |(v_x, v_z)|
-//   returns    at most heightStretch(slope), which the steepest direction reaches; only slope, which may be
-//              small, for a level ray
+//   returns    at most heightStretch(slope), which the steepest direction reaches; for a level ray, slope, which
+//              may be small
 float heightStretchAlong(float slope, vec3 direction)
 {
     return abs(direction.y) + slope * length(direction.xz);

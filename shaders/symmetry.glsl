@@ -1,16 +1,16 @@
 // symmetry.glsl - mirrors: space folded along planes, and the tetrahedra that folds make cheap.
 #include "scene.glsl"
 
-// Fold space along a plane: a point behind it is replaced by its mirror image, a point in front stays.
+// Fold space along a plane: a point behind the plane is replaced by its mirror image, and a point in front stays.
 // The fold is one-sided: the part of a scene behind the plane is lost, and the part in front appears twice.
 //   p        point, scene units
 //   normal   of the plane, length 1, pointing to the side that is kept
 //   offset   scene units; the plane is dot(p, normal) = -offset
 //   formula  p - 2 min(dot(p, normal) + offset, 0) normal; with (-normal, -offset) the plane is the same, and
 //            the other side is kept
-// The fold is 1-Lipschitz: a distance evaluated at the folded point is a lower bound of that to the visible scene,
-// and is exact outside if no part of the scene lies behind the plane. If the length of the normal is not 1, the
-// plane is not a mirror, and if it is more than 1, the distance is not a bound.
+// The fold is 1-Lipschitz: a distance evaluated at the folded point is a lower bound of the distance to the visible
+// scene, and is exact outside if no part of the scene lies behind the plane. If the length of the normal is not 1, the
+// plane is not a mirror, and if the length is more than 1, the distance is not a bound.
 // Source: report, section 2.2.4.
 vec3 opReflect(vec3 p, vec3 normal, float offset)
 {
@@ -52,7 +52,7 @@ float sdTetrahedron(vec3 p, float size)
 }
 
 // One level of the pyramid: three folds, after which the corner (1, 1, 1) is the nearest of the four.
-// One round is enough: each fold moves a point towards the kept sides of the other two.
+// No fold has to be repeated, because each fold moves a point towards the kept sides of the other two.
 //   q        point, scene units, measured from that corner
 //   size     of the tetrahedron that is divided into four, scene units
 //   formula  opReflect with the normals (1, 1, 0), (1, 0, 1), (0, 1, 1) divided by sqrt(2) and the offset
@@ -68,9 +68,9 @@ vec3 foldToCorner(vec3 q, float size)
 // The Sierpinski pyramid: 4^levels tetrahedra from three folds per level, with halving offsets. Exact inside;
 // outside between d / 3 and d, as for sdTetrahedronPlanes, on which it is built.
 //   p        point, scene units
-//   size     of the whole, as for sdTetrahedronPlanes
-//   levels   >= 0; 0 is the tetrahedron itself. At most 15, because the size of the smallest is size / 2^levels
-//            and floats are rounded
+//   size     of the whole pyramid, as for sdTetrahedronPlanes
+//   levels   >= 0; 0 is the tetrahedron itself. At most 15, because the size of the smallest tetrahedra is
+//            size / 2^levels and floats are rounded
 // Source: W. Sierpinski (1915), in the plane; report, section 3.3 and its engine.
 float sdSierpinskiPlanes(vec3 p, float size, int levels)
 {
@@ -96,7 +96,7 @@ float sdSierpinski(vec3 p, float size, int levels)
 
 // The interval in which a ray is inside the tetrahedron: boxInterval of bounds.glsl with four planes.
 //   size     as for sdTetrahedronPlanes; to enclose a pyramid, a little more than its size
-//   returns  (entry, exit) along the ray, entry >= 0; entry >= exit if the ray misses it
+//   returns  (entry, exit) along the ray, entry >= 0; entry >= exit if the ray misses the tetrahedron
 //   formula  a plane is crossed at (size - dot(origin, n)) / dot(direction, n), inwards where
 //            dot(direction, n) < 0, outwards where it is > 0; where it is 0 the plane is left out, so
 //            the interval may be too long, never too short. The four n add up to 0, so a ray enters

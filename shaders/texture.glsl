@@ -1,11 +1,11 @@
-// texture.glsl - pictures on surfaces that have no coordinates of their own: where to look them up, how
+// texture.glsl - pictures on surfaces that have no texture coordinates: where to look up a picture, how
 // wide the pixel is there, and how a height becomes a bump.
 //
-// Every lookup gets its footprint. The derivatives that a driver computes itself compare neighbouring
-// pixels; if one of them hits and another misses, they are undefined.
+// Every lookup is given its footprint. The derivatives that a driver computes itself compare neighbouring
+// pixels; if one of these pixels hits a surface and another misses, the derivatives are undefined.
 #include "scene.glsl"
 
-// The area of a surface that one pixel covers: an ellipse, given by its two axes, from one pixel to the next.
+// The area of a surface that one pixel covers: an ellipse, given by its two full axes.
 struct Footprint {
     vec3 across; // scene units: perpendicular to the ray and to the normal, the short axis
     vec3 along;  // scene units: the long axis, longer the closer the ray is to grazing
@@ -17,8 +17,8 @@ struct Footprint {
 //   width      of the ray where it meets the surface, scene units: 2 pixelSpread() t for one pixel
 //   formula    across = width a, along = width b / max(|dot(direction, normal)|, 1/16), a the unit vector along
 //              cross(direction, normal) and b = cross(a, normal); at normal incidence any a will do
-// Hardware without anisotropic filtering uses the longer axis for both: along the ray the level is
-// right, across it the picture is blurred by the ratio of the axes.
+// Hardware without anisotropic filtering uses the longer axis for both directions: along the ray the mip level is
+// right, but across the ray the picture is too blurred, by the ratio of the axes.
 // Source: P. Heckbert, 'Survey of texture mapping', IEEE Computer Graphics and Applications 6 (1986).
 Footprint footprintOn(vec3 direction, vec3 normal, float width)
 {
@@ -37,7 +37,7 @@ Footprint footprintSeen(Footprint f, mat3 turn, float scale)
 
 // ---- In space ----
 
-// A volume at p, as if the object were cut from a block of it.
+// The value of a volume texture at p, as if the object were cut from a block of this material.
 //   p        in repeats of the volume
 vec4 textureInSpace(sampler3D volume, vec3 p, Footprint f)
 {
@@ -55,7 +55,7 @@ struct Slide {
 
 // The position of a point in a picture projected along an axis, the same at every depth.
 //   p, f     in repeats of the picture
-//   axis     0 for along x, at (z, y); 1 for along y, at (x, z); 2 for along z, at (x, y). On walls y is up
+//   axis     0: along x, at (z, y); 1: along y, at (x, z); 2: along z, at (x, y). On walls, y is up
 Slide slideAlong(vec3 p, Footprint f, int axis)
 {
     if (axis == 0)
@@ -65,7 +65,7 @@ Slide slideAlong(vec3 p, Footprint f, int axis)
     return Slide(p.xy, f.across.xy, f.along.xy);
 }
 
-// The picture at a point, averaged over the footprint using its mipmaps.
+// The picture at a point, averaged over the footprint using the picture's mipmaps.
 vec4 textureOnSlide(sampler2D picture, Slide slide)
 {
     return textureGrad(picture, slide.at, slide.across, slide.along);
@@ -80,7 +80,7 @@ vec4 textureFromAbove(sampler2D picture, vec3 p, Footprint f)
 
 // The weights of three pictures: those projected along x, along y and along z.
 //   normal     length 1
-//   sharpness  >= 1: how fast the picture that the surface faces dominates; in the limit only that picture remains
+//   sharpness  >= 1: how strongly the picture that the surface faces dominates; in the limit only that picture remains
 //   formula    |normal|^sharpness, per component, divided by the sum of the three, so the weights sum to 1
 // Source: R. Geiss, 'Generating complex procedural terrains using the GPU', GPU Gems 3 (2007), chapter 1.
 vec3 planeWeights(vec3 normal, float sharpness)
@@ -91,7 +91,7 @@ vec3 planeWeights(vec3 normal, float sharpness)
 
 // A picture projected along three axes, with a weight for each.
 //   p, f     in repeats of the picture
-//   weights  from planeWeights or twoPlaneWeights, or 1 for one of them and 0 for the others
+//   weights  from planeWeights or twoPlaneWeights, or 1 for one axis and 0 for the others
 //   formula  weights.x picture(z, y) + weights.y picture(x, z) + weights.z picture(x, y)
 // A weight of 0 costs no lookup.
 vec4 textureOnPlanes(sampler2D picture, vec3 p, Footprint f, vec3 weights)
@@ -103,10 +103,10 @@ vec4 textureOnPlanes(sampler2D picture, vec3 p, Footprint f, vec3 weights)
     return sum;
 }
 
-// The weights of the two most important projections; the third weight is 0, which it approaches continuously. Two
-// lookups cost a third less than three.
+// The weights of the two most important projections. The third weight is 0, and each weight falls to 0 continuously.
+// Two lookups cost a third less than three.
 //   weights  from planeWeights
-//   formula  weights minus the smallest of them, divided by their new sum; (1, 0, 0) if all are equal
+//   formula  weights minus the smallest weight, divided by their new sum; (1, 0, 0) if all are equal
 // The weights are continuous except in the eight diagonal directions, where all are equal: no method that drops the
 // smallest weight is continuous there.
 vec3 twoPlaneWeights(vec3 weights)

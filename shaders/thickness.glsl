@@ -2,15 +2,15 @@
 // passes through.
 #include "march.glsl"
 
-// How far a ray goes inside a solid before it leaves.
+// How far a ray goes inside a solid before it leaves the solid.
 //   ray        starts inside: from a little below the surface, towards the lamp
 //   far        how far to search, scene units: to the lamp
 //   threshold  depth below which the surface counts as reached, scene units, > 0
 //   maxSteps   of this march
-//   returns    length of the path inside, scene units, at most far; 0 if it starts outside
-//   formula    t_0 = 0, t_(n+1) = t_n - distance at t_n, until that is more than -threshold
-// Inside, the distance must be negative and its size a lower bound of the depth: then the march steps over no exit.
-// A union by min and a smooth union satisfy this, although the steps in them are short.
+//   returns    length of the path inside, scene units, at most far; 0 if the ray starts outside
+//   formula    t_0 = 0, t_(n+1) = t_n - distance at t_n, until the distance is at least -threshold
+// Inside, the distance must be negative and its magnitude a lower bound of the depth, so that the march steps over no
+// exit. A union by min and a smooth union satisfy this, although the steps inside them are short.
 float thicknessAlong(Ray ray, float far, float threshold, int maxSteps)
 {
     traceBegin(0.0, far);

@@ -1,6 +1,6 @@
 // transform.glsl - a volume moved, turned, scaled and deformed: the inverse map is applied to the point.
 //
-// A volume A, changed by a map T, is { T(a) : a in A }. So p belongs to it if the inverse of T
+// A volume A, changed by a map T, is { T(a) : a in A }. So p belongs to the changed volume if the inverse of T
 // takes p into A, and a scene evaluates A at that point:
 //
 //   translation by v          sd(p - v)                          exact where sd is
@@ -10,8 +10,8 @@
 //   twist, bend               sd(opTwist(p, k)) / twistStretch(k, rho)    a lower bound near the axis
 //   displacement by g         (sd(p) + g(p)) / displacementStretch(|grad g|)   a lower bound
 //
-// A function named ...Stretch is a Lipschitz constant: the most by which the inverse map can stretch
-// distances. Divided by this constant, a distance is safe to march with: the step factor is the inverse.
+// A function named ...Stretch is a Lipschitz constant: the largest factor by which the inverse map can stretch
+// distances. Divided by this constant, a distance is safe to march with: the step factor is 1 / constant.
 
 // ---- Isometries: a moved volume keeps its size, and distances stay exact ----
 
@@ -41,7 +41,7 @@ mat3 rotationZ(float angle)
 
 // The pose of an object: turned first, then moved.
 struct Pose {
-    vec3 position; // position of its origin, scene units
+    vec3 position; // position of the object's origin, scene units
     mat3 turn;  // a rotation
 };
 
@@ -58,11 +58,11 @@ vec3 seenFrom(Pose pose, vec3 p)
 // ---- Linear maps ----
 
 // The largest factor by which a matrix stretches a vector: its largest singular value.
-//   m        any matrix; the one that is applied to the point, p -> m p
+//   m        any matrix: the matrix that is applied to the point, p -> m p
 //   formula  square root of the largest eigenvalue of S = transpose(m) m, which is symmetric: with
 //            mean = tr S / 3, D = S - mean I, spread^2 = tr(D D) / 6 and
-//            angle = acos(det(D) / (2 spread^3)) / 3 it is mean + 2 spread cos(angle); the arc cosine is
-//            computed with atan, because a driver's acos may be inexact
+//            angle = acos(det(D) / (2 spread^3)) / 3 the eigenvalue is mean + 2 spread cos(angle); the arc
+//            cosine is computed with atan, because a driver's acos may be inexact
 //   returns  >= 0; 1 for a rotation, |k| for k times a rotation
 // Source: O. K. Smith, 'Eigenvalues of a symmetric 3 x 3 matrix', CACM 4 (1961).
 float largestStretch(mat3 m)
@@ -88,8 +88,8 @@ vec3 opTwist(vec3 p, float rate)
     return vec3(c * p.x + s * p.z, p.y, c * p.z - s * p.x);
 }
 
-// The Lipschitz constant of opTwist in the cylinder x^2 + z^2 <= radius^2, a convex region. It is tight:
-// it is reached on the cylinder's wall. Without a bound on the radius there is no such constant.
+// The Lipschitz constant of opTwist in the cylinder x^2 + z^2 <= radius^2, a convex region. The constant is tight:
+// it is reached on the cylinder's wall. Without a bound on the radius there is no Lipschitz constant.
 //   formula  (u + sqrt(u^2 + 4)) / 2, u = |rate| radius
 float twistStretch(float rate, float radius)
 {
@@ -109,7 +109,7 @@ vec3 opBend(vec3 p, float rate)
     return vec3(c * p.x - s * p.y, s * p.x + c * p.y, p.z);
 }
 
-// The Lipschitz constant of opBend in the cylinder x^2 + y^2 <= radius^2. It is tight: it is reached on
+// The Lipschitz constant of opBend in the cylinder x^2 + y^2 <= radius^2. The constant is tight: it is reached on
 // the wall at x = 0, on the side where rate y < 0.
 //   formula  1 + |rate| radius
 float bendStretch(float rate, float radius)
@@ -126,7 +126,7 @@ float displacementStretch(float slope)
 }
 
 // The Lipschitz constant of y - h(x, z), a ground or a sea of height h: here the two gradients are
-// always perpendicular, so it is smaller than for a displacement in general. It is tight.
+// always perpendicular, so the constant is smaller than for a displacement in general. It is tight.
 //   slope    the largest |grad h| in the region, >= 0
 //   formula  sqrt(1 + slope^2)
 float heightStretch(float slope)

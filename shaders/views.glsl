@@ -17,7 +17,7 @@ vec3 normalView()
 }
 
 // Where the first march ended: white at the eye, darker with the distance, 1 / (1 + (t / 6)^4): the
-// greys change most around 6 units, where most scenes are. A miss is a blue that no depth has.
+// greys change most around 6 units, where most scenes are. A miss is shown in a blue that no depth has.
 vec3 depthView()
 {
     float square = trace.t * trace.t / 36.0;

@@ -5,11 +5,11 @@
 
 // The slope of the water within a pixel.
 struct Water {
-    vec2  slope;    // its mean, along x and z
-    float variance; // about that mean, along any one direction
+    vec2  slope;    // the mean slope, along x and z
+    float variance; // of the slope about its mean, along any one direction
 };
 
-// The footprint of a pixel on level water: footprintOn, without its limit.
+// The footprint of a pixel on level water: footprintOn, without the limit on the length of the footprint.
 //   direction  of the ray, length 1, downwards
 //   width      of the ray there, scene units
 Footprint footprintOnWater(vec3 direction, float width)
@@ -22,8 +22,8 @@ Footprint footprintOnWater(vec3 direction, float width)
 //   p        position on the water, scene units
 //   f        from footprintOnWater; of size 0 for a point
 //   kx, kz   wave vectors, radians per scene unit
-//   steep    the largest slope of each
-//   phase    of each, radians
+//   steep    the largest slope of each wave
+//   phase    of each wave, radians
 //   returns  slope: sum of steep kept cos(k . p + phase) along each k; variance: half of the variance lost
 //   formula  kept = exp(-((k . across)^2 + (k . along)^2) / 24), the mean of cos(k . x) over a Gaussian with the
 //            variance of the pixel, a twelfth of each axis squared. A wave's slope has the variance steep^2 / 2 over
@@ -42,8 +42,8 @@ Water fourWaves(vec2 p, Footprint f, vec4 kx, vec4 kz, vec4 steep, vec4 phase)
 //   toLight    length 1, upwards
 //   water      slope and variance, > 0
 //   light      of the lamp on a white surface perpendicular to its rays, linear
-//   formula    light pi P / (4 cos h_y^4), P the Gaussian density of the slope that mirrors the lamp to the
-//              eye, h the normal of that facet, cos = -direction.y. Exact where no facet hides another
+//   formula    light pi P / (4 cos h_y^4), P the Gaussian density of the slope that reflects the lamp to the
+//              eye, h the normal of a facet with this slope, cos = -direction.y. Exact where no facet hides another
 // Source: C. Cox, W. Munk, 'Measurement of the roughness of the sea surface from photographs of the sun's
 // glitter', Journal of the Optical Society of America 44 (1954).
 vec3 glitter(vec3 direction, vec3 toLight, Water water, vec3 light)

@@ -1,5 +1,6 @@
-// blend_shares.c - two blends of two distances along a line, and three shares of the second
-// distance: the cubic, the quadratic and the workshop's weight.
+// blend_shares.c - two blends of two distances, and the share of the second distance in the cubic
+// blend, in the quadratic blend and in the workshop's weight, all plotted against the difference of
+// the distances.
 #include <math.h>
 #include <stdio.h>
 
@@ -21,7 +22,7 @@ static double quadratic(double a, double b)
     return fmin(a, b) - h * h / (4.0 * k);
 }
 
-// Each as a function of x = a - b, with a = x / 2 and b = -x / 2.
+// The following are functions of x = a - b, with a = x / 2 and b = -x / 2.
 static double cubic_share(double x)
 {
     double h = fmax(k - fabs(x), 0.0), lesser = h * h / (2.0 * k * k);
@@ -75,10 +76,10 @@ int main(void)
     const struct svg_pen ink = {.stroke = SVG_INK, .width = 1.2};
     svg_begin(760.0, 330.0, "Two blends and their shares",
               "Left: the union of two distances against their difference. The minimum has a "
-              "corner. Where both distances are equal, the cubic blend is lower by a sixth of its "
-              "width, the quadratic blend by a quarter. Right: the share of the second distance. "
-              "Both blends have a share of one half where the distances are equal. The workshop's "
-              "weight is a sixth there, and it is not symmetric.");
+              "corner. Where the distances are equal, the cubic blend is lower by a sixth of its "
+              "width, and the quadratic blend by a quarter. Right: the share of the second "
+              "distance. In both blends, the share is one half where the distances are equal. The "
+              "workshop's weight is a sixth there, and it is not symmetric.");
     svg_plot_frame(&depth, 0.5, 0.2, "a - b, in widths k", "the union");
     svg_plot_frame(&share, 0.5, 0.25, "a - b, in widths k", "share of b");
     curve(&depth, least, ink);

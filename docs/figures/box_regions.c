@@ -1,12 +1,13 @@
-// box_regions.c - the distance to a box, region by region: two cuts of one octant, one through the
-// centre of the box and one in front of it, and points with their q and their distance.
+// box_regions.c - the distance to a box, region by region: two cuts through one octant, one through
+// the centre of the box and one in front of the box. Some points are labelled with their q and
+// their distance.
 #include <math.h>
 
 #include "svg.h"
 
 static const double half[3] = {1.2, 0.8, 1.0};
 
-// A cut: the position on the page of its corner x = y = 0, its height z, and its title.
+// A cut: the position of its corner x = y = 0 on the page, in pixels, its z, and its title.
 struct cut {
     double left, bottom, z;
     const char *title;
@@ -33,7 +34,7 @@ static void draw_rectangle(const struct cut *cut, const double from[2], const do
     svg_polygon(4, corner, pen);
 }
 
-// Draw the regions of the cut, coloured by the number of sides beyond which they lie.
+// Draw the regions of the cut. The number of faces that a region is beyond determines its colour.
 static void draw_regions(const struct cut *cut)
 {
     static const char *const shade[] = {SVG_SKY, SVG_SAND, SVG_TEAL, SVG_ORANGE};
@@ -57,7 +58,7 @@ static void draw_regions(const struct cut *cut)
              "<tspan font-style='italic'>y</tspan>");
 }
 
-// Draw the line of points at the distance 0.5: a straight piece, an arc and a straight piece.
+// Draw the contour at a distance of 0.5: a line segment, an arc and a second line segment.
 static void draw_level(const struct cut *cut)
 {
     enum { ARC = 32 };
@@ -73,7 +74,7 @@ static void draw_level(const struct cut *cut)
     point[ARC + 2][0] = page_x(cut, 0.0);
     point[ARC + 2][1] = page_y(cut, half[1] + aside);
     svg_text(cut->left + 8.0, page_y(cut, half[1] + aside) - 7.0, 'l', 13.0, SVG_INK,
-             "at the distance 0.5");
+             "at a distance of 0.5");
     svg_path(ARC + 3, (const double(*)[2])point,
              (struct svg_pen){.stroke = SVG_PALE, .width = 1.4});
 }
@@ -83,8 +84,8 @@ static const char *minus(double number)
     return number < 0.0 ? "&#8722;" : "";
 }
 
-// Draw a point, the nearest point of the surface, and the point's label.
-//   name_x, name_y  position of the label relative to the point, pixels
+// Draw a point, its label, and the line to the nearest point on the surface.
+//   name_x, name_y  position of the label relative to the point, in pixels
 static void draw_point(const struct cut *cut, double x, double y, const char *name, double name_x,
                        double name_y)
 {
@@ -120,13 +121,14 @@ int main(void)
     const struct cut front = {412.0, 266.0, 1.3, "cut in front of the box, z = 1.3"};
     svg_begin(
         760.0, 294.0, "The distance to a box, region by region",
-        "Two cuts of the octant in which x, y and z are positive, of a box with half sizes "
-        "1.2, 0.8 and 1. On the left the cut passes through the centre of the box: inside, the "
-        "nearest point is on the nearest face; beside a face it is the foot on that face; "
-        "beyond two faces it is on their edge. On the right the cut passes in front of the box: "
-        "in front of it the nearest point is on the front face, beyond a side it is on an edge, "
-        "and beyond two sides it is the corner. A line at the distance 0.5 runs straight beside "
-        "the sides and around the corner in an arc.");
+        "Two cuts through the octant of a box in which x, y and z are positive. The half sizes of "
+        "the box are 1.2, 0.8 and 1. On the left the cut passes through the centre of the box: "
+        "inside, the nearest point is on the nearest face; beside a face, it is the foot of the "
+        "perpendicular to that face; beyond two faces, it is on their common edge. On the right "
+        "the cut passes in front of the box: opposite the front face, the nearest point is on "
+        "that face; beyond one side, it is on an edge; beyond two sides, it is the corner. A line "
+        "at a distance of 0.5 is straight beside the sides and curves around the corner in an "
+        "arc.");
     draw_regions(&middle);
     draw_level(&middle);
     draw_point(&middle, 0.9, 0.42, "inside", -38.0, 24.0);

@@ -1,5 +1,5 @@
-// celestial_sphere.c - the sun's path above the horizon of Toulouse in December, March and June:
-// circles about the celestial pole, by the formula of sunDirection in shaders/sky.glsl.
+// celestial_sphere.c - the sun's path over Toulouse on a day in December, March and June: circles
+// around the celestial pole, computed with the formula of sunDirection in shaders/sky.glsl.
 #include <math.h>
 #include <stddef.h>
 
@@ -7,7 +7,8 @@
 
 static const double radians = 3.14159265358979323846 / 180.0, latitude = 43.6;
 
-// Seen from the west, a little from the south and from above: x north, y up, z east.
+// The sphere is seen from the west, slightly from the south and from above. The axes are x north,
+// y up and z east. The angles are in degrees.
 static const double view_east = 62.0, view_high = 20.0, size = 165.0, middle[2] = {270.0, 195.0};
 
 static void page(const double p[3], double out[3])
@@ -48,8 +49,9 @@ static void day(double declination, const char *name)
             pen = (struct svg_pen){.stroke = SVG_PALE, .width = 1.0};
         piece(a, b, pen);
     }
+    // The name is written to the right of the circle's rightmost point.
     double noon[3], at[3], right = 0.0;
-    for (int i = 0; i < 90; i++) { // beside the rightmost point of the circle
+    for (int i = 0; i < 90; i++) {
         sun_at(declination, -i, noon);
         page(noon, at);
         right = fmax(right, at[0]);
@@ -106,9 +108,9 @@ int main(void)
     svg_begin(
         760.0, 386.0, "The path of the sun over a day",
         "A sphere with the horizon as its horizontal disc, seen from the west. The celestial pole "
-        "P is 43.6 degrees above the northern horizon. The sun moves on circles around it: low in "
-        "the south in December, from due east to due west in March, high in June. M, which is "
-        "perpendicular to P, points due south and upwards; W points west.");
+        "P is 43.6 degrees above the northern horizon. The sun moves on circles around the pole: "
+        "low in the south in December, from due east to due west in March, and high in June. M, "
+        "which is perpendicular to P, points due south and upwards; W points west.");
     svg_circle(middle[0], middle[1], size, (struct svg_pen){.stroke = SVG_PALE, .width = 1.2});
     horizon();
     day(-23.44, "December");

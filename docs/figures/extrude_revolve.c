@@ -1,5 +1,6 @@
 // extrude_revolve.c - from the plane to space: the right-angled triangle of an extrusion, and two
-// discs that are rotated, whose parts beyond the axis are not drawn but still count.
+// revolved discs, whose parts beyond the axis (dashed) do not belong to the solid but still affect
+// the formula's distance.
 #include <math.h>
 #include <stddef.h>
 
@@ -21,7 +22,7 @@ static void draw_extrusion(void)
     svg_line(wall, top, wall, 70.0, thin);
     svg_line(wall, top, 236.0, top, thin);
 
-    // Outside, above the edge, both distances count.
+    // Outside, beyond the edge, both distances count.
     const double p[2] = {218.0, 82.0};
     svg_line(wall, top, p[0], p[1], (struct svg_pen){.stroke = SVG_ORANGE, .width = 2.4});
     svg_line(wall, p[1], p[0], p[1], (struct svg_pen){.stroke = SVG_INK, .width = 1.4});
@@ -38,7 +39,7 @@ static void draw_extrusion(void)
     svg_text(128.0, 214.0, 'm', 14.0, SVG_INK, "&#8722;q<tspan font-size='10' dy='3'>x</tspan>");
     svg_text(100.0, 172.0, 'r', 14.0, SVG_INK, "&#8722;q<tspan font-size='10' dy='3'>y</tspan>");
 
-    svg_text(87.0, 290.0, 'm', 13.0, SVG_BLUE, "the solid, cut");
+    svg_text(87.0, 290.0, 'm', 13.0, SVG_BLUE, "the solid in section");
     svg_text(130.0, 326.0, 'm', 14.0, SVG_INK, "outside: Pythagoras,");
     svg_text(130.0, 344.0, 'm', 14.0, SVG_INK, "inside: the smaller depth");
 }
@@ -46,7 +47,7 @@ static void draw_extrusion(void)
 // ---- Revolution: a disc of radius 1 around (centre, 0), rotated about the axis ----
 
 struct panel {
-    double x, y, unit; // of the origin, in pixels
+    double x, y, unit; // the origin and the length of one unit, in pixels
 };
 
 static void to_page(const struct panel *panel, double x, double y, double page[2])
@@ -55,7 +56,7 @@ static void to_page(const struct panel *panel, double x, double y, double page[2
     page[1] = panel->y - panel->unit * y;
 }
 
-// The part of the disc's rim from one angle to another.
+// Compute points on the disc's rim, from one angle to another.
 static void arc_points(const struct panel *panel, double centre, double from, double to, int count,
                        double (*point)[2])
 {
@@ -78,7 +79,7 @@ static void draw_turned(const struct panel *panel, double centre, double y)
     svg_path(POINTS, (const double(*)[2])point, (struct svg_pen){.stroke = SVG_BLUE, .width = 2.4});
     svg_line(panel->x, 56.0, panel->x, 306.0, (struct svg_pen){.stroke = SVG_INK, .width = 1.2});
 
-    // The distance that is computed, and the true one.
+    // Draw circles with the distance that the formula gives and with the true distance.
     double p[2], asked = fabs(hypot(centre, y) - 1.0), tip = sqrt(1.0 - centre * centre);
     double answer = fabs(y - tip);
     to_page(panel, 0.0, y, p);
@@ -97,15 +98,13 @@ int main(void)
 {
     svg_begin(
         760.0, 360.0, "From the plane to space",
-        "Left: a block, cut along the line of its extrusion. The distance of a point above its "
-        "edge "
-        "is the hypotenuse of a right-angled triangle, whose legs are the distance to the figure "
-        "and the height above the end face. A point inside has the smaller of two depths. Middle: "
-        "a disc with its centre to the right of the axis; the part on the left is dashed. A circle "
-        "around the origin touches the dashed rim long before the rim that is drawn. Right: a "
-        "disc with its centre to the left of the axis. A circle around a point above the tip "
-        "touches the "
-        "dashed rim before it reaches the tip.");
+        "Left: a block, cut along the line of its extrusion. The distance of a point beyond its "
+        "edge is the hypotenuse of a right-angled triangle, whose legs are the distance to the "
+        "figure and the height above the end face. For a point inside, the smaller of two depths "
+        "counts. Middle: a disc with its centre to the right of the axis; the part on the left is "
+        "dashed. A circle around the origin touches the dashed rim long before the solid rim. "
+        "Right: a disc with its centre to the left of the axis. A circle around a point above the "
+        "tip touches the dashed rim before it reaches the tip.");
     svg_text(130.0, 30.0, 'm', 15.0, SVG_INK, "an extrusion");
     svg_text(386.0, 30.0, 'm', 15.0, SVG_INK, "an apple: too near inside");
     svg_text(648.0, 30.0, 'm', 15.0, SVG_INK, "a lemon: too near outside");

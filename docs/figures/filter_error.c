@@ -1,5 +1,5 @@
-// filter_error.c - how far the mean of a few samples of a pixel is from the mean of 256: regular
-// and jittered positions, and the workshop's grid.
+// filter_error.c - how far the mean of a pixel's samples is from the mean of 256 samples: for
+// regular positions, for jittered positions, and for the workshop's grid.
 #include <stddef.h>
 
 #include "lib/filter.h"
@@ -18,10 +18,10 @@ int main(void)
     const struct svg_plot plot = {80.0, 40.0, 640.0, 340.0, {1.0, 100.0}, {1e-3, 1.0}, true, true};
     svg_begin(
         760.0, 440.0, "The error of a pixel against the number of its samples",
-        "Root mean square difference from 256 samples of the same filter, on a fan of fine "
-        "rays, with both axes logarithmic. Four lines fall: that of the regular box is lowest, "
-        "and those of the wider filters are higher. The workshop's grid stays between 0.06 and "
-        "0.11 and rises from 4 samples on.");
+        "The root mean square difference from the mean of 256 samples, for a picture of a fan of "
+        "fine rays. Both axes are logarithmic. Four lines fall: the line of the regular box is "
+        "lowest, and the lines of the wider filters are higher. The workshop's grid stays between "
+        "0.06 and 0.11, and its error rises from 4 samples on.");
     svg_plot_frame(&plot, 0.0, 0.0, "samples per pixel", "error, where white is 1");
     for (int curve = 0; curve < CURVES; curve++) {
         double point[SIDES][2];

@@ -24,12 +24,13 @@ int main(void)
     const double cosine[3] = {1.0, 0.5, 0.173648177666930};
     const char *const colour[3] = {SVG_BLUE, SVG_TEAL, SVG_ORANGE};
     const char *const dash[3] = {NULL, "8 4", "2 4"};
-    svg_begin(760.0, 330.0, "The share of light that is reflected",
-              "Two plots of the share of light that is reflected against roughness, straight on, "
-              "at 60 and at 80 degrees. GGX reflects nearly all light while the surface is smooth, "
-              "then less: at roughness 1 the share is 0.31 straight on, 0.45 at 60 degrees and "
-              "0.67 at 80. Blinn and Phong reflect all of it straight on, but on a smooth surface "
-              "only a quarter at 60 degrees and 0.03 at 80.");
+    svg_begin(
+        760.0, 330.0, "The share of light that is reflected",
+        "Two plots of the share of light that is reflected, against roughness, for light that "
+        "arrives straight on, at 60 and at 80 degrees. GGX reflects nearly all light while the "
+        "surface is smooth, then less: at roughness 1 the share is 0.31 straight on, 0.45 at "
+        "60 degrees and 0.67 at 80. Blinn and Phong reflect all light straight on, but on a "
+        "smooth surface only a quarter at 60 degrees and 0.03 at 80.");
     svg_plot_frame(&left, 0.1, 0.2, "roughness", "GGX");
     svg_plot_frame(&right, 0.1, 0.2, "roughness", "Blinn and Phong");
     for (int i = 0; i < 3; i++) {

@@ -1,5 +1,5 @@
 // normal_error.c - the error of the normal against the step: two curves for the unit ball at z = 10
-// in 32-bit floats, from the numbers of `build/tests/measure normal`.
+// in 32-bit floats, measured with the function that `build/tests/measure normal` uses.
 #include <stddef.h>
 
 #include "lib/measure.h"
@@ -19,11 +19,11 @@ int main(void)
         forward[i][1] = error.forward;
     }
     svg_begin(760.0, 440.0, "The step of the normal: two U-shaped curves",
-              "Worst angle between the computed and the true normal against the step, both axes "
-              "logarithmic. Both curves fall from the left, where rounding dominates, like one "
-              "over the step. Forward differences turn near a step of 0.0004 at about 0.05 degrees "
-              "and rise in proportion to the step; central differences turn near 0.008 at about "
-              "0.0014 degrees and rise with its square.");
+              "The worst angle between the computed and the true normal is plotted against the "
+              "step; both axes are logarithmic. On the left, where rounding dominates, both curves "
+              "fall like one over the step. Forward differences turn near a step of 0.0004 at "
+              "about 0.05 degrees and rise in proportion to the step; central differences turn "
+              "near 0.008 at about 0.0014 degrees and rise with the square of the step.");
     svg_plot_frame(&plot, 0.0, 0.0, "step, scene units", "worst angle, degrees");
     svg_plot_curve(
         &plot, STEPS, (const double(*)[2])forward,

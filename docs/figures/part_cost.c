@@ -1,5 +1,5 @@
-// part_cost.c - the number of parts that a ray evaluates against the number of parts in the scene,
-// for four methods. With an argument, the program prints the numbers instead.
+// part_cost.c - the mean number of parts that are evaluated for a ray, against the number of parts
+// in the scene, for four methods. With any argument, the program prints the means as a table.
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -42,10 +42,9 @@ static void draw(void)
     const struct svg_plot plot = {90.0, 40.0, 480.0, 300.0, {10.0, 10000.0}, {1.0, 1000000.0},
                                   true, true};
     svg_begin(760.0, 410.0, "The cost of a scene against its number of parts",
-              "A plot with logarithmic axes from 64 to 8,192 parts. The parts that a ray evaluates "
-              "grow in proportion to "
-              "the number of parts in the flat loop, more slowly with a tree, and hardly at all "
-              "with a grid of lists.");
+              "A plot with logarithmic axes from 64 to 8,192 parts. The number of parts evaluated "
+              "for a ray grows in proportion to the number of parts in the scene with a flat loop, "
+              "more slowly with a tree, and hardly at all with a grid of lists.");
     svg_plot_frame(&plot, 0.0, 0.0, "parts in the scene", "parts evaluated for a ray");
     for (int means = 0; means < PARTS_MEANS; means++) {
         svg_plot_curve(&plot, SIZES, (const double(*)[2])mean[means],

@@ -4,10 +4,10 @@
 #include "svg.h"
 
 struct point {
-    double x, y, z; // right, up, forward, screen units
+    double x, y, z; // right, up and forward, in screen units
 };
 
-// A view of the eye and its screen from the side and above: a parallel projection.
+// The eye and its screen are seen from the side and above, in a parallel projection.
 static const double origin_x = 150.0, origin_y = 262.0, unit = 108.0;
 
 static double page_x(struct point p)
@@ -76,8 +76,8 @@ int main(void)
     const struct point beyond = {1.1, 0.825, 1.65 * focal};
     svg_begin(
         760.0, 430.0, "From a pixel to its ray",
-        "An eye on the left with three arrows of length one: right, up and forward. In front of "
-        "it, one focal length away, is the screen, a grid of pixels. The vector from the centre of "
+        "An eye on the left has three arrows of length one: right, up and forward. The screen, a "
+        "grid of pixels, is one focal length in front of the eye. The vector from the centre of "
         "the screen to a pixel is x times right plus y times up. The arrow from the eye through "
         "this pixel is the ray.");
     draw_screen();
@@ -98,7 +98,7 @@ int main(void)
     words((struct point){0.0, 0.0, 1.25}, -52.0, 22.0, SVG_INK, "focalLength");
     words_on_screen(foot, -54.0, 26.0, 44.0, "<tspan font-style='italic'>x</tspan> right");
     words_on_screen(foot, 10.0, -22.0, 28.0, "<tspan font-style='italic'>y</tspan> up");
-    words(beyond, -150.0, -16.0, SVG_ORANGE, "the ray of this pixel");
+    words(beyond, -150.0, -16.0, SVG_ORANGE, "the ray through this pixel");
     svg_text(18.0, 404.0, 'l', 15.0, SVG_INK,
              "direction = normalize(<tspan font-style='italic'>x</tspan> right + <tspan "
              "font-style='italic'>y</tspan> up + focalLength forward)");

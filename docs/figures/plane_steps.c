@@ -7,14 +7,15 @@
 
 static const double radians = 3.14159265358979323846 / 180.0;
 
-// Evaluations of a march from height 1 above a plane: each step multiplies the height by
-// 1 - sin(angle).
+// The number of evaluations in a march from height 1 above a plane. Each step multiplies the height
+// by 1 - sin(angle).
 static double plane_steps(double degrees, double threshold)
 {
     return ceil(log(threshold) / log(1.0 - sin(degrees * radians))) + 1.0;
 }
 
-// Steps past a ball of radius 1 that the ray misses by delta, from 3 in front of it to 3 behind it.
+// The number of steps past a ball of radius 1, which the ray misses by delta, from 3 units before
+// the point closest to the ball to 3 units after that point.
 static double ball_moves(double delta)
 {
     int moves = 0;
@@ -71,9 +72,10 @@ int main(void)
     svg_begin(
         760.0, 380.0, "Why grazing rays are expensive",
         "Two plots with logarithmic axes. Left: the number of steps to a plane grows without limit "
-        "as the angle falls, from 2 at a right angle to about 100 at 4 degrees and thousands at a "
-        "tenth of a degree. Right: the counted steps past a ball lie on the line pi times the root "
-        "of 2 over the gap: ten times as many for a gap a hundred times as small.");
+        "as the angle decreases, from 2 or 3 near a right angle to about 100 at 4 degrees and "
+        "thousands at a tenth of a degree. Right: the counted steps past a ball lie on the line pi "
+        "times the square root of 2 over the gap: a gap a hundred times smaller takes ten times as "
+        "many steps.");
     draw_plane();
     draw_ball();
     svg_end();

@@ -1,6 +1,6 @@
-// plane_weights.c - the weights of three pictures as the normal turns from one axis to the next,
-// and their sum: the workshop's weights, these weights divided by their sum, a sharper power, and
-// only the two largest weights.
+// plane_weights.c - the weights of three pictures, and the sum of the weights, as the normal turns
+// from the x axis to the y axis, with four methods: the workshop's weights, the same weights
+// divided by their sum, their sixth powers divided by the sum, and the weights less the smallest.
 #include <math.h>
 #include <stddef.h>
 
@@ -8,7 +8,7 @@
 
 enum { POINTS = 181, PLANES = 3 };
 
-// The weights of a normal, per axis, by one of four methods.
+// Compute the three weights of a normal, one for each axis, with one of four methods.
 //   row  the method, 0 to 3
 static void weights_of(int row, const double normal[PLANES], double weight[PLANES])
 {
@@ -22,8 +22,8 @@ static void weights_of(int row, const double normal[PLANES], double weight[PLANE
         weight[i] = row < 3 ? weight[i] / sum : (weight[i] - least) / (sum - 3.0 * least);
 }
 
-// Draw the plot of one method. The normal turns from x to y through a quarter circle that leans by
-// 20 degrees towards z.
+// Draw the plot of one method. The normal turns about the z axis from x to y, raised by 20 degrees
+// towards z.
 static void draw_row(int row, double left, double top, const char *name, const char *below)
 {
     static const char *const colour[PLANES] = {SVG_BLUE, SVG_TEAL, SVG_PALE};
@@ -57,15 +57,16 @@ int main(void)
 {
     svg_begin(
         760.0, 470.0, "Four ways to weight three pictures",
-        "Four plots against the angle of the normal, which turns from the x axis to the y axis and "
-        "leans 20 degrees towards z. With the components of the normal as weights the sum rises to "
-        "1.67. Divided by their sum, the weights add up to 1. With the sixth power one picture "
-        "replaces the other within 30 degrees. With the two largest weights only, the third is 0.");
+        "Four plots of the weights against the angle of the normal, which turns from the x axis to "
+        "the y axis and leans 20 degrees towards z. With the components of the normal as weights, "
+        "the sum rises to 1.67. Divided by their sum, the weights add up to 1. With the sixth "
+        "power, one picture replaces the other within 30 degrees. With the smallest weight "
+        "subtracted from all three, only two pictures are mixed.");
     draw_row(0, 60.0, 66.0, "the components of the normal (workshop)",
              "the sum is up to 1.73: too bright");
     draw_row(1, 430.0, 66.0, "divided by their sum",
              "the sum is 1; all three are mixed everywhere");
-    draw_row(2, 60.0, 280.0, "the sixth power, divided", "one picture per face, a narrow seam");
+    draw_row(2, 60.0, 280.0, "the sixth power, divided", "one picture per face, with narrow seams");
     draw_row(3, 430.0, 280.0, "minus the smallest, divided", "two lookups; the third weight is 0");
     const char *const word[4] = {"projected along x", "along y", "along z", "their sum"};
     const char *const colour[4] = {SVG_BLUE, SVG_TEAL, SVG_PALE, SVG_ORANGE};

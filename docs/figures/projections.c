@@ -1,4 +1,4 @@
-// projections.c - the report's figure 7: two equal boxes, with rays through one point and with
+// projections.c - the report's figure 7: two equal boxes, seen with rays from one point and with
 // parallel rays.
 #include <stdio.h>
 
@@ -7,8 +7,8 @@
 static const double unit = 62.0;
 
 struct view {
-    double left, middle; // pixels: the eye's x, the axis's y
-    double opening;      // 1: rays from one point; 0: parallel
+    double left, middle; // the x of the eye and the y of the view axis, in pixels
+    double opening;      // 1 for rays from one point, 0 for parallel rays
 };
 
 static double page_x(const struct view *view, double z)
@@ -29,10 +29,10 @@ static void draw_box(const struct view *view, double z)
     svg_polygon(4, corner, (struct svg_pen){.stroke = SVG_BLUE, .width = 2.0, .fill = SVG_SKY});
 }
 
-// Draw the rays that touch a box's front edges, and the box's picture on the screen at depth 1.
+// Draw the rays to the front edges of a box, and the image of the box on the screen at depth 1.
 static void draw_rays(const struct view *view, double z, const char *colour, double width)
 {
-    double size = view->opening > 0.5 ? 0.5 / z : 0.5; // half the picture's height
+    double size = view->opening > 0.5 ? 0.5 / z : 0.5; // half the height of the image
     for (int side = -1; side <= 1; side += 2) {
         double start = view->opening > 0.5 ? 0.0 : 0.5 * side;
         svg_line(page_x(view, 0.0), page_y(view, start), page_x(view, z), page_y(view, 0.5 * side),
@@ -61,9 +61,10 @@ int main(void)
 {
     svg_begin(
         760.0, 310.0, "Perspective and parallel projection",
-        "The same two boxes of equal height, at depths 2.2 and 4, and a screen at depth 1, twice. "
-        "Left, the rays come from one point, and the farther box is smaller on the screen by the "
-        "ratio of the depths. Right, the rays are parallel, and both boxes are of equal size.");
+        "Two diagrams of the same two boxes, which have equal heights and are at depths 2.2 and 4, "
+        "with a screen at depth 1. On the left, the rays come from one point, and on the screen "
+        "the farther box is smaller by the ratio of the depths. On the right, the rays are "
+        "parallel, and both boxes have the same size on the screen.");
     const struct view perspective = {50.0, 160.0, 1.0}, orthographic = {430.0, 160.0, 0.0};
     draw_view(&perspective, "perspective", "sizes in the ratio 4 : 2.2, the inverse of the depths");
     draw_view(&orthographic, "orthographic", "equal sizes at every depth");

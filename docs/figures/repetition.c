@@ -1,6 +1,6 @@
-// repetition.c - the report's figure 6: the position in a cell by the correct formula and by the
-// report's, which never reaches the centre of a cell; below them, a row of balls: a ball drawn in
-// one cell appears in every cell.
+// repetition.c - the report's figure 6: plots of the position in a cell, from the correct formula
+// and from the report's formula, which never reaches the centre of a cell. Below the plots is a row
+// of balls, because a ball in one cell appears in every cell.
 #include <math.h>
 
 #include "svg.h"
@@ -12,7 +12,7 @@ static double right_position(double x)
     return x - period * floor(x / period + 0.5);
 }
 
-// The report's formula, section 2.2.3: mod(x - N/2, N) + N/2.
+// The formula in section 2.2.3 of the report: mod(x - N/2, N) + N/2.
 static double report_position(double x)
 {
     double y = x - 0.5 * period;
@@ -41,11 +41,10 @@ int main(void)
 {
     svg_begin(
         760.0, 400.0, "Repetition of one coordinate",
-        "Two saw-tooth curves of the position in a cell of width 2 against x. The correct formula "
-        "runs "
-        "from minus 1 to 1 in each cell and passes the band of half-width 0.6 in which a ball of "
-        "radius 0.6 is drawn. The report's formula runs from 1 to 3 and never meets that band. "
-        "Below, a row of balls, one per cell, with the walls of the cells as dashed lines.");
+        "Two sawtooth curves show the position in a cell of width 2 against x. The correct formula "
+        "runs from minus 1 to 1 in each cell and crosses the band from minus 0.6 to 0.6, in which "
+        "a ball of radius 0.6 lies. The report's formula runs from 1 to 3 and never meets that "
+        "band. Below is a row of balls, one per cell; dashed lines are the walls of the cells.");
     plot_position(70.0, "correct: x &#8722; N &#8970;x/N + &#189;&#8971;", right_position,
                   SVG_BLUE);
     plot_position(440.0, "report: mod(x &#8722; N/2, N) + N/2", report_position, SVG_ORANGE);

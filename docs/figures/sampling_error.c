@@ -1,6 +1,6 @@
-// sampling_error.c - the error of the visible share against the number of rays, which are random
-// over the whole disc or one in each cell; for an edge that cuts the disc and, for comparison, for
-// a smooth light.
+// sampling_error.c - the error of the visible share of a disc-shaped light against the number of
+// rays. Either all rays are random over the whole disc, or each cell of the disc has one random
+// ray. An edge cuts the disc; for comparison, a third curve is for a light that varies smoothly.
 #include <math.h>
 #include <stddef.h>
 
@@ -13,8 +13,9 @@ static const int sides[SIDES] = {1, 2, 3, 4, 6, 8, 12, 16};
 static const double pi = 3.14159265358979323846;
 
 // One estimate: the mean over side x side rays.
-//   curve  0 random rays past an edge, 1 a ray in each cell past an edge, 2 a ray in each cell with
-//          a smooth light, 1 + x / 2
+//   curve  0: random rays past an edge; 1: one ray per cell past an edge; 2: one ray per cell to a
+//          smooth light of brightness 1 + x / 2
+//   clear  the edge: the part of the disc with x < clear is visible
 static double estimate(int curve, int side, int attempt, double clear)
 {
     double sum = 0.0;
@@ -30,7 +31,7 @@ static double estimate(int curve, int side, int attempt, double clear)
     return sum / (side * side);
 }
 
-// The root mean square of the error over many points of the penumbra.
+// The root mean square error over many points of the penumbra.
 static double error_of(int curve, int side)
 {
     double squares = 0.0;
@@ -43,7 +44,7 @@ static double error_of(int curve, int side)
     return sqrt(squares / TRIES);
 }
 
-// The slope of the least-squares line through the logarithms, from 4 rays on.
+// The slope of the least-squares line through the logarithms of the points with at least 4 rays.
 static double slope_of(const double (*point)[2])
 {
     double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
@@ -66,10 +67,10 @@ int main(void)
     const struct svg_plot plot = {80.0, 40.0, 640.0, 340.0, {1.0, 300.0}, {1e-3, 1.0}, true, true};
     svg_begin(
         760.0, 440.0, "The error against the number of rays",
-        "Root mean square error of the visible share against the number of rays, with both "
-        "axes logarithmic. With random rays the error falls with a slope of -0.51, with one ray "
-        "per cell and an edge across the disc with -0.76, and with one ray per cell and a light "
-        "without an edge with -1.00.");
+        "The root mean square error of the visible share is plotted against the number of rays; "
+        "both axes are logarithmic. The slope is -0.51 with random rays, -0.76 with one ray per "
+        "cell and an edge across the disc, and -1.00 with one ray per cell and a light without an "
+        "edge.");
     svg_plot_frame(&plot, 0.0, 0.0, "rays", "error of the share");
     for (int curve = 0; curve < CURVES; curve++) {
         double point[SIDES][2];

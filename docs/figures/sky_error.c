@@ -1,5 +1,6 @@
 // sky_error.c - the error of the visible share of the sky, beside a ball on a floor, against the
-// number of rays, which are random over the whole disc or one in each cell.
+// number of rays. Either all rays are random over the whole disc, or each cell of the disc has one
+// random ray.
 #include <math.h>
 #include <stddef.h>
 
@@ -11,8 +12,8 @@ enum { SIDES = 7, TRIES = 3000, CURVES = 2 };
 static const int sides[SIDES] = {1, 2, 3, 4, 6, 8, 12};
 static const double pi = 3.14159265358979323846;
 
-// 1 if a ray from the floor, at a distance from the foot of a ball of radius 1, reaches the sky,
-// else 0.
+// Returns 1 if a ray from the floor reaches the sky, otherwise 0. The ray starts at the distance
+// `away` from the point where a ball of radius 1 touches the floor.
 static double reaches(double u, double v, double away)
 {
     double x = sqrt(u) * cos(2.0 * pi * v), y = sqrt(1.0 - u);
@@ -20,7 +21,7 @@ static double reaches(double u, double v, double away)
     return along > 0.0 && square < 1.0 ? 0.0 : 1.0;
 }
 
-// One estimate, from side x side rays.
+// One estimate: the mean over side x side rays.
 static double estimate(int curve, int side, int attempt, double away)
 {
     double sum = 0.0;
@@ -35,7 +36,7 @@ static double estimate(int curve, int side, int attempt, double away)
     return sum / (side * side);
 }
 
-// The root mean square of the error over many points of the floor.
+// The root mean square error over many points of the floor.
 static double error_of(int curve, int side)
 {
     double squares = 0.0;
@@ -47,7 +48,7 @@ static double error_of(int curve, int side)
     return sqrt(squares / TRIES);
 }
 
-// The slope of the least-squares line through the logarithms, from 4 rays on.
+// The slope of the least-squares line through the logarithms of the points with at least 4 rays.
 static double slope_of(const double (*point)[2])
 {
     double n = SIDES - 1, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;

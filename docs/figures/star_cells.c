@@ -1,5 +1,6 @@
-// star_cells.c - a hemisphere of stars drawn as a disc: rings of equal width, cells of equal solid
-// angle, one star in each; beside the disc, the number of cubes of a grid that a sphere meets.
+// star_cells.c - a hemisphere of stars, drawn as a disc of rings with equal widths. The rings are
+// divided into cells of equal solid angle, with one star in each cell. Beside the disc is a plot of
+// the number of cubes of a grid that a sphere meets.
 #include <math.h>
 #include <stdint.h>
 
@@ -41,8 +42,8 @@ static void cells(void)
     svg_text(middle[0], 366.0, 'm', 14.0, SVG_INK, "one star in each cell of equal solid angle");
 }
 
-// Plot the cubes per unit area along the great circle from an axis through a corner of the cube to
-// the midpoint of an edge.
+// Plot the number of cubes per unit area of the sphere along a great circle, which leads from an
+// axis of the grid through the cube's space diagonal to a face diagonal.
 static void cubes(void)
 {
     struct svg_plot plot = {.left = 440.0,
@@ -74,8 +75,9 @@ int main(void)
     svg_begin(
         760.0, 390.0, "Cells for stars",
         "Left: a disc of five rings, divided into cells of equal area with a dot in each. Right: "
-        "from an axis of the grid through its diagonal, the number of cubes that a sphere meets "
-        "rises from 1 to 1.73 and falls to 1.41, while cells of equal solid angle stay at 1.");
+        "the number of cubes that a sphere meets per unit area rises from 1 at an axis of the grid "
+        "to 1.73 at the grid's diagonal and falls to 1.41 at 90 degrees, while the number of cells "
+        "of equal solid angle stays at 1.");
     cells();
     cubes();
     svg_end();

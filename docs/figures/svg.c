@@ -21,7 +21,7 @@ void svg_end(void)
     printf("</svg>\n");
 }
 
-// Avoid -0.00, which would be written differently from 0.00.
+// Replace small numbers by 0, because a small negative number would be written as -0.00.
 static double clean(double v)
 {
     return fabs(v) < 0.005 ? 0.0 : v;
@@ -136,7 +136,7 @@ static void write_number(char *words, size_t size, double v, bool logarithm)
         snprintf(words, size, "%s%g", v < 0.0 ? "&#8722;" : "", fabs(v));
 }
 
-// The next tick.
+// The coordinate of the next tick.
 static double after(double v, double step, bool logarithm)
 {
     return logarithm ? 10.0 * v : v + step;
@@ -202,8 +202,8 @@ void svg_plot_curve(const struct svg_plot *plot, int count, const double (*point
     }
 }
 
-// Find the points where f changes sign on the edges of one cell, in pixels. Returns their number:
-// 0, 2 or 4.
+// Find the points on the edges of one cell where f changes sign, in pixels. Returns the number of
+// points: 0, 2 or 4.
 static int crossings(const struct svg_plot *plot, const double corner[4][3], double page[4][2])
 {
     int count = 0;
@@ -224,7 +224,7 @@ void svg_plot_zero(const struct svg_plot *plot, double (*f)(double x, double y),
     double dx = (plot->x[1] - plot->x[0]) / columns, dy = (plot->y[1] - plot->y[0]) / rows;
     for (int cell = 0; cell < columns * rows; cell++) {
         double corner[4][3], page[4][2];
-        for (int i = 0; i < 4; i++) { // around the cell
+        for (int i = 0; i < 4; i++) { // the corners, in order around the cell
             corner[i][0] = plot->x[0] + dx * (cell % columns + (i == 1 || i == 2));
             corner[i][1] = plot->y[0] + dy * (cell / columns + (i >= 2));
             corner[i][2] = f(corner[i][0], corner[i][1]);

@@ -1,8 +1,9 @@
-// svg.h - drawing functions for the figures: a page of SVG on standard output, in pixels, y
-// downwards, and a plot on it, in its own numbers, y upwards.
+// svg.h - drawing functions for the figures. They write a page of SVG to standard output. Positions
+// on the page are in pixels, with y downwards; a plot on the page has its own coordinates, with y
+// upwards.
 //
-// Every number is written with two decimals, so that a figure is the same file on every machine.
-// For this, a curve that measures rounding needs a pen with one decimal.
+// Positions are written with two decimals, so that a figure is the same file on every machine. For
+// the same reason, a curve of rounding errors needs a pen with one decimal.
 #ifndef SVG_H
 #define SVG_H
 
@@ -33,7 +34,7 @@ struct svg_pen {
     const char *fill;   // colour, or NULL for none
     const char *dash;   // as SVG's stroke-dasharray; NULL for a solid line
     double opacity;     // 0 means 1
-    int decimals;       // of the points of a polygon or a path; 0 means 2
+    int decimals;       // number of decimals in the points of a polygon or a path; 0 means 2
 };
 
 void svg_line(double x0, double y0, double x1, double y1, struct svg_pen pen);
@@ -43,43 +44,46 @@ void svg_polygon(int count, const double (*point)[2], struct svg_pen pen);
 void svg_path(int count, const double (*point)[2], struct svg_pen pen); // not closed
 
 // Write words.
-//   anchor  'l', 'm' or 'r': x is their left end, middle or right end
-//   size    pixels
+//   anchor  'l', 'm' or 'r': x is the left end, the middle or the right end of the words
+//   size    font size, pixels
 //   words   SVG text: <tspan font-style='italic'> and entities are allowed
 void svg_text(double x, double y, char anchor, double size, const char *colour, const char *words);
-// Write words from a format, as printf does: at most 255 bytes.
+// Write words from a format, as printf does. Words longer than 255 bytes are truncated.
 void svg_textf(double x, double y, char anchor, double size, const char *colour, const char *format,
                ...) __attribute__((format(printf, 6, 7)));
 
-// A plot: a rectangle of the page and the numbers at its edges.
+// A plot: a rectangle of the page and the coordinates of its edges.
 struct svg_plot {
     double left, top, width, height; // pixels
-    double x[2], y[2];               // numbers at the left and right, bottom and top edge
+    double x[2], y[2];               // coordinates of the left and right, bottom and top edges
     bool log_x, log_y;               // true for a logarithmic axis
 };
 
-double svg_plot_x(const struct svg_plot *plot, double x); // pixels
+// Convert a plot's coordinate to pixels on the page.
+double svg_plot_x(const struct svg_plot *plot, double x);
 double svg_plot_y(const struct svg_plot *plot, double y);
 
-// Draw the frame with its ticks and words.
-//   x_step, y_step  from tick to tick; a logarithmic axis has a tick at every power of ten instead
+// Draw the two axes of a plot, with grid lines, numbers and words.
+//   x_step, y_step  spacing of the grid lines; on a logarithmic axis, which ignores the spacing,
+//                   each line is at ten times the coordinate of the line before
 void svg_plot_frame(const struct svg_plot *plot, double x_step, double y_step, const char *x_words,
                     const char *y_words);
 
-// Draw a curve through points; the parts outside the plot are left out.
+// Draw a curve through points. Points outside the plot are omitted and interrupt the curve.
 void svg_plot_curve(const struct svg_plot *plot, int count, const double (*point)[2],
                     struct svg_pen pen);
 
-// Draw the zeros of a function of the plot's two numbers, as short lines in the cells of a grid.
+// Draw the curve on which a function of the plot's x and y is zero, as short lines in the cells of
+// a grid.
 void svg_plot_zero(const struct svg_plot *plot, double (*f)(double x, double y),
                    struct svg_pen pen);
 
-// Draw the surroundings of a wrong formula and of the right one beside it: two plots in a row, each
-// with a background and two lines of words.
-//   top    pixels, the top of the row, which is SVG_PAIR_ROW high on a page 760 wide
-//   title  above both plots
-//   words  two lines below the left plot, then two below the right one
-//   x, y   the numbers at the edges of both plots
+// Draw a row of two empty plots, each with a background and two lines of words below: the left plot
+// for a wrong formula, and the right plot for the correct formula.
+//   top    the top of the row, pixels; the row is SVG_PAIR_ROW high, on a page 760 wide
+//   title  written above both plots
+//   words  two lines below the left plot, then two below the right plot
+//   x, y   the coordinates of the edges of both plots
 //   plot   receives the two plots, 340 x 130 pixels each
 #define SVG_PAIR_ROW 222.0
 void svg_pair(double top, const char *title, const char *const words[4], const double x[2],

@@ -10,17 +10,17 @@ int main(void)
     const struct svg_plot plot = {70.0, 50.0, 650.0, 300.0, {0.0, 3.0}, {1.0, 3.5}, false, false};
     double right[121][2], wrong[121][2];
     for (int i = 0; i <= 120; i++) {
-        double q = 3.0 * i / 120.0; // u, |mu| rho
+        double q = 3.0 * i / 120.0; // u = |mu| rho
         right[i][0] = wrong[i][0] = q;
         right[i][1] = 0.5 * (q + sqrt(q * q + 4.0));
         wrong[i][1] = sqrt(1.0 + q * q);
     }
     svg_begin(
         760.0, 410.0, "The Lipschitz bound of the twist",
-        "Two curves over u, the twist per scene unit times the distance from its axis. The correct "
-        "bound starts at 1 with slope one half, is 1.618 at 1 and 3.303 at 3. The formula root of "
-        "1 plus the square of u starts flat and stays below the bound everywhere: steps divided by "
-        "that root are too long.");
+        "Two curves against u, the twist per scene unit times the distance from the axis. The "
+        "correct bound starts at 1 with a slope of one half, and is 1.618 at 1 and 3.303 at 3. The "
+        "square root of 1 plus the square of u starts flat and stays below the bound: steps "
+        "divided by that root are too long.");
     svg_plot_frame(&plot, 0.5, 0.5, "<tspan font-style='italic'>u = |&#956;| &#961;</tspan>",
                    "largest stretch");
     svg_plot_curve(&plot, 121, (const double(*)[2])wrong,

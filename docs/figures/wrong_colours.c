@@ -1,5 +1,5 @@
 // wrong_colours.c - two of the report's formulas about colour, as printed and corrected: a surface
-// in dim light, and the sky with a low sun.
+// in light of different brightness, and the sky with the sun at different heights.
 #include <math.h>
 #include <stdio.h>
 
@@ -40,7 +40,7 @@ static void surface(double top)
         }
 }
 
-// ---- 3.4: the blue of the day (0.5, 0.7, 1), by the height of the sun ----
+// ---- 3.4: the blue of the day (0.5, 0.7, 1), against the height of the sun ----
 
 static const double day[3] = {0.5, 0.7, 1.0};
 
@@ -101,20 +101,19 @@ static void sky(double top)
     draw_axes(&plot[0], -5.0);
     draw_axes(&plot[1], 16.0);
     draw_channels(&plot[0], sky_wrong, (double[]){0.0, 0.0, 0.0});
-    draw_channels(&plot[1], sky_right, (double[]){6.0, 0.0, -2.0}); // keeps the words apart
+    draw_channels(&plot[1], sky_right, (double[]){6.0, 0.0, -2.0}); // keep the names apart
 }
 
 int main(void)
 {
     svg_begin(
         760.0, 2.0 * SVG_PAIR_ROW + 8.0, "Two formulas about colour, as printed and corrected",
-        "Two rows, the report's formula on the left and the correct one on the right. An orange "
-        "surface in six lights: with the minimum it is yellow in the three dimmest, with the "
-        "product "
-        "it is orange in all. The sky's red, green and blue against the height of the sun: with "
-        "the "
-        "report's product green and blue are negative by day; with the transmittance of the air "
-        "blue is largest by day, and all but a little red is lost at the horizon.");
+        "Two rows, each with the report's formula on the left and the correct formula on the "
+        "right. The first row shows an orange surface in six lights: with the minimum, it is "
+        "yellow in the three dimmest; with the product, it is orange in all six. The second row "
+        "shows the sky's red, green and blue against the height of the sun: with the report's "
+        "product, green and blue are negative by day; with the transmittance of the air, blue is "
+        "largest by day, and all but a little red is lost at the horizon.");
     surface(8.0);
     sky(8.0 + SVG_PAIR_ROW);
     svg_end();

@@ -1,5 +1,5 @@
 // wrong_rays.c - three of the report's statements about rays, as printed and corrected: the basis
-// of the eye, the end of a march, the parallel view.
+// of the eye, the end of a march, and the parallel view.
 #include <math.h>
 
 #include "lib/mirror.h"
@@ -7,7 +7,7 @@
 
 static const struct svg_pen faint = {.stroke = SVG_INK, .width = 1.0, .dash = "4 4"};
 
-// The name of a vector of the basis as SVG text, and the rest of the line.
+// SVG text: the name of a basis vector with its subscript, and the rest of the line.
 #define E(letter, after)                                                                           \
     "e<tspan font-size='10' dy='3'>" letter "</tspan><tspan dx='4' dy='-3'>" after "</tspan>"
 
@@ -22,7 +22,7 @@ static void pixel_ray(const struct svg_plot *plot, double towards, const char *c
 {
     struct d3 view = d3(0.0, 0.0, -1.0), ez = d3_times(towards, view);
     struct d3 ex = d3_unit(d3_cross(ez, d3(0.0, 1.0, 0.0)));
-    const double focal_length = 1.2, x = 0.8; // the pixel lies to the right of the middle
+    const double focal_length = 1.2, x = 0.8; // the pixel is to the right of the centre
     struct d3 direction = d3_add(d3_times(x, ex), d3_times(towards * focal_length, ez));
     double ox = svg_plot_x(plot, 0.0), oy = svg_plot_y(plot, 0.0);
     svg_arrow(ox, oy, svg_plot_x(plot, 1.1 * ex.x), svg_plot_y(plot, -1.1 * ex.z),
@@ -39,7 +39,7 @@ static void mirrored(double top)
     struct svg_plot plot[2];
     const char *const words[4] = {
         "report: " E("z", "against the view; x") E("x", "+ y") E("y", "&#8722; FL") E("z", ""),
-        "The ray of a pixel on the right goes to the left.",
+        "The ray through a pixel on the right goes to the left.",
         "correct: " E("z", "along the view; x") E("x", "+ y") E("y", "+ FL") E("z", ""),
         "The ray goes to the right."};
     svg_pair(top, "1.3 &#160; The basis of the eye, seen from above; the eye looks up the page",
@@ -63,7 +63,7 @@ static double ball_at(double t)
     return hypot(t - 25.0, 2.5) - 3.0;
 }
 
-// Draw the axis and the curve.
+// Draw the axis of t and the curve of the distance.
 static void draw_distance(const struct svg_plot *plot)
 {
     double curve[240][2], base = svg_plot_y(plot, 0.0);
@@ -79,7 +79,7 @@ static void draw_distance(const struct svg_plot *plot)
                    (struct svg_pen){.stroke = SVG_PALE, .width = 1.6});
 }
 
-// Draw each step with its distance.
+// Draw at most `most` steps of the march, each with its distance.
 static void draw_steps(const struct svg_plot *plot, int most, const char *colour)
 {
     double t = 0.0, base = svg_plot_y(plot, 0.0);
@@ -97,7 +97,7 @@ static void ended(double top)
     const char *const words[4] = {"report: a distance of 20 or more is a miss",
                                   "The first step counts as a miss: the ball is lost.",
                                   "correct: a path longer than the far limit is a miss",
-                                  "The march goes on and arrives."};
+                                  "The march goes on and reaches the ball."};
     svg_pair(top, "1.4 &#160; The distance along a ray to a ball that is 22 units away", words,
              (double[]){-3.0, 30.0}, (double[]){-4.0, 28.0}, plot);
     double limit = svg_plot_y(&plot[0], 20.0);
@@ -140,12 +140,12 @@ int main(void)
 {
     svg_begin(
         760.0, 3.0 * SVG_PAIR_ROW + 8.0, "Three statements about rays, as printed and corrected",
-        "Three rows, the report's statement on the left and the correct one on the right. The "
-        "basis "
-        "of the eye: the ray of a pixel on the right goes to the box on the left, or to the ball "
-        "on the right. The end of a march: it is abandoned at its first step, whose distance "
-        "passes 20, or goes on in ever smaller steps to the ball. The parallel view: the rays "
-        "cover only the middle of the ball, or all of it.");
+        "Three rows, each with the report's statement on the left and the correct statement on the "
+        "right. The basis of the eye: on the left, the ray through a pixel on the right goes to "
+        "the box on the left; on the right, it goes to the ball on the right. The end of a march: "
+        "on the left, the march is abandoned at its first step, whose distance exceeds 20; on the "
+        "right, it goes on in ever smaller steps to the ball. The parallel view: on the left, the "
+        "rays cover only the middle of the ball; on the right, they cover the whole ball.");
     mirrored(8.0);
     ended(8.0 + SVG_PAIR_ROW);
     parallel(8.0 + 2.0 * SVG_PAIR_ROW);

@@ -1,5 +1,5 @@
-// wrong_volumes.c - four formulas of the report's section 2, as printed and corrected: a scaled
-// ball, the inverse of a rotation, repetition, symmetry.
+// wrong_volumes.c - four formulas from section 2 of the report, as printed and corrected: a scaled
+// ball, the inverse of a rotation, repetition, and symmetry.
 #include <math.h>
 #include <stdio.h>
 
@@ -22,7 +22,8 @@ static double ball_right(double x, double y)
     return 0.5 * ball_wrong(x, y);
 }
 
-// Draw a march along y = 0.4 from the left, each step with its circle.
+// Draw a march from the left along y = 0.4. Each step has a circle whose radius is the distance,
+// unless the circle would be too large for the plot.
 static void march(const struct svg_plot *plot, double (*f)(double, double), struct svg_pen pen)
 {
     double x = -1.4, unit = plot->width / (plot->x[1] - plot->x[0]);
@@ -45,8 +46,8 @@ static void scaled(double top)
 {
     struct svg_plot plot[2];
     const char *const words[4] = {
-        "report: SDF(p / k)", "Twice too large for k = 1/2: the ray steps over the ball.",
-        "correct: k SDF(p / k)", "Every circle is empty: the ray arrives."};
+        "report: SDF(p / k)", "Twice the distance for k = 1/2: the ray steps over the ball.",
+        "correct: k SDF(p / k)", "Every circle is empty: the ray reaches the ball."};
     svg_pair(top, "2.2 &#160; A ball shrunk to half its size", words, (double[]){-4.3, 6.0},
              (double[]){-1.57, 2.37}, plot);
     for (int i = 0; i < 2; i++) {
@@ -82,8 +83,9 @@ static void block(const struct svg_plot *plot, const struct m3 *back, const stru
     }
 }
 
-// The angle, in degrees, that remains when one rotation is undone with another: the trace is
-// 1 + 2 cos.
+// The angle, in degrees, that remains when one rotation is undone with another. The trace of their
+// product is 1 + 2 cos(angle).
+//   degree  one degree, in radians
 static double left_over(const struct m3 *back, const struct m3 *turn, double degree)
 {
     double trace = m3_apply(back, turn->column[0]).x + m3_apply(back, turn->column[1]).y +
@@ -102,7 +104,7 @@ static void turned(double top)
              left_over(&back, &turn, degree));
     const char *const words[4] = {"report: R(&#8722;30&#176;, &#8722;40&#176;, &#8722;20&#176;)",
                                   askew, "correct: the transposed matrix",
-                                  "The block is back where it was (dashed)."};
+                                  "The block is back in its old position (dashed)."};
     svg_pair(top, "2.2.2 &#160; The inverse of the rotation R(30&#176;, 40&#176;, 20&#176;)", words,
              (double[]){-4.25, 4.25}, (double[]){-1.625, 1.625}, plot);
     block(&plot[0], &back, &turn, wrong);
@@ -133,9 +135,9 @@ static void repeated(double top)
 {
     struct svg_plot plot[2];
     const char *const words[4] = {
-        "report: mod(p.x &#8722; N/2, N) + N/2", "The distance is at least 0.4: nothing is drawn.",
+        "report: mod(p.x &#8722; N/2, N) + N/2", "The distance is at least 0.4: no ball appears.",
         "correct: mod(p.x + N/2, N) &#8722; N/2", "One ball in each cell."};
-    svg_pair(top, "2.2.3 &#160; A ball of radius 0.6, repeated with the period 2", words,
+    svg_pair(top, "2.2.3 &#160; A ball of radius 0.6, repeated with period 2", words,
              (double[]){-4.25, 4.25}, (double[]){-1.625, 1.625}, plot);
     for (int i = 0; i < 2; i++) {
         for (int wall = -3; wall <= 3; wall += 2) {
@@ -169,8 +171,8 @@ static void folded(double top)
     struct svg_plot plot[2];
     const char *const words[4] = {
         "report: offset = 0.4, as for the plane of 2.1.2",
-        "The code mirrors at &#10216;p, n&#10217; = &#8722;offset, the other side.",
-        "correct: offset = &#8722;0.4", "The image is equally far behind the mirror."};
+        "The code mirrors at &#10216;p, n&#10217; = &#8722;offset, on the other side.",
+        "correct: offset = &#8722;0.4", "Ball and image are equally far from the mirror."};
     svg_pair(top, "2.2.4 &#160; A ball and its image; the mirror should be at x = 0.4", words,
              (double[]){-4.25, 4.25}, (double[]){-1.625, 1.625}, plot);
     for (int i = 0; i < 2; i++) {
@@ -186,12 +188,12 @@ int main(void)
 {
     svg_begin(
         760.0, 4.0 * SVG_PAIR_ROW + 8.0, "Four formulas of section 2, as printed and corrected",
-        "Four rows, the report's formula on the left and the correct one on the right. A shrunk "
-        "ball: the report's steps pass over it, the correct ones stop at it. A block turned and "
-        "turned back: askew on the left, in its old position on the right. A repeated ball: no "
-        "ball at all on the left, one in each cell on the right. A mirrored ball: its image too "
-        "far to the left by the report's sign, as far behind the mirror as the ball is in front "
-        "of it on the right.");
+        "Four rows, each with the report's formula on the left and the correct formula on the "
+        "right. A shrunk ball: the report's steps pass over it; the correct steps stop at it. A "
+        "block turned and turned back: it is askew on the left, and in its old position on the "
+        "right. A repeated ball: there is no ball on the left, and one in each cell on the right. "
+        "A mirrored ball: with the report's sign, its image is too far to the left; with the "
+        "correct sign, ball and image are equally far from the mirror.");
     scaled(8.0);
     turned(8.0 + SVG_PAIR_ROW);
     repeated(8.0 + 2.0 * SVG_PAIR_ROW);

@@ -27,17 +27,17 @@ static void add_wave(int wave, double light, double colour[3])
 
 void air_shares(double sun, double view, double azimuth, double ozone, struct air_shares *shares)
 {
-    // A part of the cosine of the angle between the sun and the direction.
+    // The horizontal part of the cosine of the angle between the sun and the direction.
     double level = sqrt((1.0 - sun * sun) * (1.0 - view * view)) * azimuth;
     double length = air_way_out(AIR_EARTH, view);
     struct air_amount passed = {0.0, 0.0, 0.0};
     *shares = (struct air_shares){{0.0}, {0.0}, {0.0}};
-    for (int i = 0; i < VIEW_STEPS; i++) { // the middles of steps that grow with the distance
+    for (int i = 0; i < VIEW_STEPS; i++) { // the middles of steps, which grow with the distance
         double from = (double)i / VIEW_STEPS, to = (i + 1.0) / VIEW_STEPS, q = 0.5 * (from + to);
         double distance = length * q * q, step = length * (to * to - from * from);
         double height = air_height_at(AIR_EARTH, view, distance), radius = AIR_EARTH + height;
         struct air_amount here = air_density(height), way = passed;
-        // The sine of the sun's height here, after the ray has gone some way around the Earth.
+        // The sine of the sun's height at this point, where the horizon differs from the eye's.
         double sine = (AIR_EARTH * sun + distance * (view * sun + level)) / radius;
         double share[AIR_WAVES] = {0.0}, again[AIR_WAVES];
         way.air += 0.5 * step * here.air;
@@ -92,7 +92,7 @@ double air_drawn_back(double x, double k)
     return x * (k + (1.0 - k) * (x < 0.0 ? -x : x));
 }
 
-// 0 if x is far below 0, x if it is far above, and a smooth transition in between.
+// 0 if x is far below 0, x if x is far above 0, and a smooth transition in between.
 static double beyond(double x)
 {
     return 0.5 * (x + sqrt(x * x + 0.0004));
@@ -123,8 +123,8 @@ struct air_scale air_scale(double sun, double row)
     return scale;
 }
 
-// The light of a point in a table. A table is drawn from its top row down, and the light of each
-// point of the top storey is needed again in the storeys below, so it is stored.
+// The light at a point of a table. A table is painted from its top row down, and the light computed
+// for each point of the top storey is needed again in the storeys below, so it is stored.
 static struct air_light light_once(double sun, double row, double azimuth, double ozone, int column)
 {
     static struct {
@@ -187,7 +187,8 @@ void air_sun_table(double u, double v, double value[3])
     double rim = x < 1.0 ? sqrt(1.0 - x * x) : 0.0, left = 1.0 - x * x / (SUN_REACH * SUN_REACH);
     air_sunlight(sine, colour);
     for (int c = 0; c < 3; c++) {
-        // The mean over the disc, 1 - DARK / 3 times its centre, must equal the sun's light.
+        // The mean over the disc, 1 - DARK / 3 times the light of the centre, must equal the sun's
+        // light.
         double middle = colour[c] / (1.0 - DARK[c] / 3.0) / scale;
         value[c] = middle * (x <= 1.0 ? 1.0 - DARK[c] * (1.0 - rim) : mass / 38.0 * left * left);
     }

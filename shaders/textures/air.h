@@ -1,6 +1,6 @@
 // air.h - the light of a clear sky: sunlight that the air of a round Earth scatters, once or
-// several times. It draws nothing: the programs of the tables sky_sunward, sky_away and sun_halo
-// use it.
+// several times. It is used by the programs of the tables: sky_sunward, sky_away, no_ozone_sunward,
+// no_ozone_away and sun_halo.
 //
 // Light is in the unit of the course's skies: 1 is 4,000 cd/m^2. A lamp's light on a surface is
 // given as the light that a white matt surface perpendicular to its rays sends back. Colours are
@@ -8,34 +8,34 @@
 #ifndef AIR_H
 #define AIR_H
 
-// One wavelength, from 400 to 700 nm in steps of 20, and its properties.
+// The properties of one wavelength. The wavelengths are 400 to 700 nm, in steps of 20 nm.
 enum { AIR_WAVES = 16 };
 struct air_wave {
     double sun;    // W m^-2 nm^-1 above the air
     double ozone;  // cross section of a molecule, 1e-25 m^2
-    double eye[3]; // the eye's curves, x, y, z
+    double eye[3]; // the eye's colour matching functions x, y, z
 };
 extern const struct air_wave air_waves[AIR_WAVES];
 
 // The light that the air sends towards an eye at sea level. Multiply the first two kinds by
-// phaseAir and phaseDust of shaders/sky_table.glsl, which depend on the angle of scattering, and
-// add all three.
+// phaseAir and phaseDust of shaders/sky_table.glsl, which depend on the scattering angle, and add
+// all three.
 struct air_light {
     double air[3];  // scattered once, by molecules
     double dust[3]; // scattered once, by dust and droplets
-    double more[3]; // scattered more than once, by either or by the ground: independent of the
-                    // phase functions
+    double more[3]; // scattered more than once, by air, dust or the ground; not to be multiplied
+                    // by a phase function
 };
 
 // The scattered light of a direction: the integral, along the direction, of the light scattered at
 // each point, which is dimmed on its path to that point and from there to the eye; summed over 16
 // wavelengths. The light that has been scattered before it arrives at a point comes from a grid,
-// which takes a few seconds to compute, on the first call and whenever ozone changes: four orders
-// of scattering, by air, dust and a ground of albedo 0.15, each assumed to arrive equally from all
-// directions.
+// which takes a few seconds to compute, on the first call and whenever ozone changes. The grid
+// contains four orders of scattering, by air, dust and a ground of albedo 0.15; the light of each
+// order is assumed to arrive equally from all directions.
 //   sun      sine of the sun's height, in [-1, 1]; no light comes through the Earth
 //   view     sine of the direction's height, in [0, 1]
-//   azimuth  cosine of the horizontal angle between the two, in [-1, 1]: 1 towards the sun
+//   azimuth  cosine of the horizontal angle to the sun, in [-1, 1]: 1 towards the sun
 //   ozone    amount of ozone; 1 is 300 Dobson units, 0 leaves it out
 struct air_light air_scattered(double sun, double view, double azimuth, double ozone);
 
@@ -45,7 +45,8 @@ struct air_shares {
 };
 void air_shares(double sun, double view, double azimuth, double ozone, struct air_shares *shares);
 
-// The sun's light on a surface perpendicular to its rays, after the air, without refraction.
+// The sun's light on a surface perpendicular to its rays, after its path through the air, without
+// refraction.
 //   sun      sine of the sun's height; below 0 the result is 0
 void air_sunlight(double sun, double colour[3]);
 
@@ -60,11 +61,11 @@ enum { AIR_COLUMNS = 288, AIR_ROWS = 160 };
 //   formula  the x with x (k + (1 - k) |x|) = sine
 double air_drawn_out(double sine, double k);
 
-// The inverse of air_drawn_out: the sine that lies at x.
+// The inverse of air_drawn_out: the sine at position x.
 double air_drawn_back(double x, double k);
 
-// k for the sun's height and for the direction's; the sine of the lowest height of the sun in a
-// table.
+// k for the sun's height and k for the direction's height; and the sine of the lowest height of the
+// sun in a table.
 #define AIR_SUN_WIDTH  0.10
 #define AIR_VIEW_WIDTH 0.06
 #define AIR_LOWEST_SUN (-0.28)
@@ -85,13 +86,13 @@ struct air_scale {
 struct air_scale air_scale(double sun, double row);
 
 // A table's colour at a point, and the blue that it lacks, for paint_texture.
-//   azimuth  1 for the half of the sky that contains the sun, -1 for the other one
+//   azimuth  1 for the half of the sky that contains the sun, -1 for the other half
 //   ozone    1, or 0 for air without ozone; the table then contains a quarter of the light
 void air_table(double u, double v, double azimuth, double ozone, double value[4]);
 
-// The table of the sun: a column for each distance from the sun's centre, in radii of the sun, from
-// 0 to SUN_REACH, which grows as the square of the column's index; a row for each sine of the
-// direction's height, from 0 to 1, stretched by SUN_ROW_WIDTH.
+// The table of the sun. It has a column for each distance from the sun's centre, from 0 to
+// SUN_REACH radii of the sun; the distance grows as the square of the column's index. It has a row
+// for each sine of the direction's height, from 0 to 1, stretched with k = SUN_ROW_WIDTH.
 enum { SUN_COLUMNS = 64, SUN_ROWS = 64 };
 #define SUN_REACH     12.0
 #define SUN_ROW_WIDTH 0.15

@@ -76,8 +76,8 @@ static void add_between(grid light, struct corner at, const double weight[AIR_WA
 struct path {
     double distance[2 * PATH_STEPS], height[2 * PATH_STEPS], dip[2 * PATH_STEPS];
     double air[2 * PATH_STEPS][AIR_WAVES];  // the share that a step's air scatters to the point
-    double dust[2 * PATH_STEPS][AIR_WAVES]; // the share that its dust scatters
-    double ground[AIR_WAVES];               // the share that arrives from the end of the path
+    double dust[2 * PATH_STEPS][AIR_WAVES]; // the share that a step's dust scatters to the point
+    double ground[AIR_WAVES];               // the share that arrives from the ground
     double length;
     int steps;
     bool lands; // true if the ray ends on the ground
@@ -143,8 +143,8 @@ static const double AROUND_COSINE[AROUND] = {
     0.98078528040323044,  0.83146961230254524,  0.55557023301960222,  0.19509032201612828,
     -0.19509032201612828, -0.55557023301960222, -0.83146961230254524, -0.98078528040323044};
 
-// Compute one order of scattering: from the light at all points, the light that they send to each
-// point.
+// Compute one order of scattering: from the light at all points, the light that these points send
+// to each point.
 //   from    the sunlight, or the mean light of the order before
 //   first   true for sunlight, which comes from one direction; scattered light is assumed to come
 //           equally from all sides
@@ -172,7 +172,7 @@ static void next_order(grid from, bool first, double falls[SUNS][AIR_WAVES], dou
                     double sun = grid_sun(row, column), sum[AIR_WAVES] = {0.0};
                     double c = sine * sun +
                                sqrt((1.0 - sine * sine) * (1.0 - sun * sun)) * AROUND_COSINE[k];
-                    double phase[2] = {1.0, 1.0}; // times 4 pi
+                    double phase[2] = {1.0, 1.0}; // phase functions, times 4 pi
                     if (first) {
                         double x = 1.0 / (1.0 + AIR_FORWARD * AIR_FORWARD - 2.0 * AIR_FORWARD * c);
                         phase[0] = 0.75 * (1.0 + c * c);
@@ -187,7 +187,7 @@ static void next_order(grid from, bool first, double falls[SUNS][AIR_WAVES], dou
                                     sum);
                     }
                     // The sum is 4 pi times the light from this direction or, if the previous order
-                    // is diffuse light, that light itself.
+                    // is diffuse light, the light itself.
                     double arrives = first ? 1.0 / (4.0 * AIR_PI) : 1.0;
                     if (path.lands) {
                         double there = (radius * sun + path.length * c) / AIR_EARTH;

@@ -5,18 +5,18 @@
 #include "paint.h"
 
 // Lengths are in kilometres. The density of the air falls by a factor of e with every LOW_SCALE of
-// height up to BEND, and with every HIGH_SCALE above it, where it is colder: within 18 % of the
-// standard atmosphere up to 55 km. With a single scale of 8.4 there would be 3 times too much air
-// at 50 km, where the light of dusk comes from. Dust falls off eight times as fast, by a factor of
-// e with every 1.2 km; ozone is densest at 25 km, and there is none farther than 15 km from that
-// height. The air ends at AIR_TOP; a share of 2e-8 of it lies above. Sources: 'U.S. standard
-// atmosphere' (1976); E. Bruneton, F. Neyret, 'Precomputed atmospheric scattering', Computer
-// Graphics Forum 27 (2008), for the height of the dust and, in Bruneton's implementation of 2017,
-// the profile of ozone.
+// height up to BEND, and with every HIGH_SCALE above BEND, where the air is colder. This is within
+// 18 % of the standard atmosphere up to 55 km. With a single scale of 8.4 there would be 3 times
+// too much air at 50 km, where the light of dusk comes from. Dust falls off eight times as fast, by
+// a factor of e with every 1.2 km; ozone is densest at 25 km, and there is no ozone farther than
+// 15 km from that height. The air ends at AIR_TOP; a share of 2e-8 of real air is higher. Sources:
+// 'U.S. standard atmosphere' (1976); E. Bruneton, F. Neyret, 'Precomputed atmospheric scattering',
+// Computer Graphics Forum 27 (2008), for the height of the dust and, in Bruneton's implementation
+// of 2017, the profile of ozone.
 static const double LOW_SCALE = 9.6, HIGH_SCALE = 6.7, BEND = 9.0;
 
 // The thickness that the air overhead would have if all of it were as dense as at sea level, and
-// that of the dust.
+// the same thickness for the dust.
 static const double AIR_COLUMN = 8.464, DUST_COLUMN = 1.2;
 
 // Angular radius of the sun: 0.267 degrees.
@@ -37,11 +37,11 @@ const struct air_wave air_waves[AIR_WAVES] = {
     {1.626, 2.939, {0.4479, 0.1750, 0.0000}}, {1.539, 2.045, {0.1649, 0.0610, 0.0000}},
     {1.493, 1.341, {0.0468, 0.0170, 0.0000}}, {1.429, 0.844, {0.0114, 0.0041, 0.0000}}};
 
-// A cross section in 1e-25 m^2, times this, is the depth of 300 Dobson units of ozone overhead; one
-// unit is 2.687e20 molecules per square metre.
+// A cross section in 1e-25 m^2, times OZONE, is the optical depth of 300 Dobson units of ozone
+// overhead; one unit is 2.687e20 molecules per square metre.
 static const double OZONE = 300.0 * 2.687e20 * 1e-25;
 
-// Depth of the dust overhead at 550 nm, on a clear day. The depth is proportional to 1 /
+// Optical depth of the dust overhead at 550 nm, on a clear day. The depth is proportional to 1 /
 // wavelength, which means an Angstrom exponent of 1.
 static const double DUST = 0.03;
 
@@ -50,8 +50,8 @@ static double wave_length(int wave) // micrometres
     return 0.40 + 0.02 * wave;
 }
 
-// Depth of the air overhead: J. E. Hansen, L. D. Travis, 'Light scattering in planetary
-// atmospheres', Space Science Reviews 16 (1974), as in chapter 09.
+// Optical depth of the air overhead. Source: J. E. Hansen, L. D. Travis, 'Light scattering in
+// planetary atmospheres', Space Science Reviews 16 (1974), as in chapter 09.
 double air_depth(int wave)
 {
     double x = 1.0 / (wave_length(wave) * wave_length(wave));
@@ -65,8 +65,8 @@ double air_dust_depth(int wave)
 
 // ---- Amounts along a path ----
 
-// e^-x for x >= 0: a table of 32 values for each factor of 1/e, and five terms of the series for
-// the rest. The relative error is at most 3e-10. The result is 0 from x = 64 on.
+// e^-x for x >= 0, computed from a table of 32 values for each factor of 1/e, and five terms of the
+// series for the rest. The relative error is at most 3e-10. The result is 0 from x = 64 on.
 static double fade(double x)
 {
     enum { EACH = 32, COUNT = 64 * EACH };
@@ -106,7 +106,7 @@ double air_way_out(double radius, double sine)
     return c > 0.0 ? c / (sqrt(b * b + c) + b) : 0.0;
 }
 
-// Simpson's rule for a ray that does not go down, in the cube root of the distance: the steps are
+// Simpson's rule for a ray that does not descend, in the cube root of the distance: the steps are
 // short near the ray's beginning, where the air is thick.
 struct air_amount air_amount_up(double radius, double sine)
 {
@@ -123,9 +123,9 @@ struct air_amount air_amount_up(double radius, double sine)
     return sum;
 }
 
-// The amounts along any ray that does not meet the Earth. A ray that goes down rises again beyond
-// its lowest point: its amount is twice the amount beyond that point, minus the amount on its
-// continuation behind its start.
+// The amounts along any ray that does not meet the Earth. A ray that descends rises again beyond
+// its lowest point. The amounts along such a ray are twice the amounts beyond that point, minus the
+// amounts along the ray's extension backwards from its start.
 static struct air_amount amount_along(double radius, double sine)
 {
     if (sine >= 0.0)

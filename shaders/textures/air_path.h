@@ -1,5 +1,5 @@
-// air_path.h - the air of a round Earth: how much air, dust and ozone a path meets, and how much
-// sunlight remains after it. Distances and heights are in kilometres.
+// air_path.h - the air of a round Earth: how much air, dust and ozone a path passes through, and
+// how much sunlight remains at its end. Distances and heights are in kilometres.
 #ifndef AIR_PATH_H
 #define AIR_PATH_H
 
@@ -35,7 +35,7 @@ struct air_amount air_density(double height);
 double air_height_at(double radius, double sine, double distance);
 double air_way_out(double radius, double sine);
 
-// The amounts along a ray that does not go down, sine >= 0, to the top of the air.
+// The amounts along a ray that does not descend, sine >= 0, to the top of the air.
 struct air_amount air_amount_up(double radius, double sine);
 
 // The share of the light of a wavelength that passes through these amounts: e^-depth, with a

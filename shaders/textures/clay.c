@@ -1,6 +1,6 @@
 // clay.c - the distance to a clay elephant at the points of a grid, 64 slices of 64 x 64, from -1
 // to 1 on each axis: x to the right, y upwards, z from slice to slice. Red is the high byte, green
-// the low one. The texture is read with linear and clamp, texel by texel.
+// the low byte. The texture is read with linear and clamp, texel by texel.
 //
 // Given the name of an OBJ file, the program uses the distance to its mesh instead. The mesh must
 // be closed.
@@ -27,7 +27,7 @@ static void texel(double u, double v, double value[3])
     value[2] = 0.0;
 }
 
-// Read a mesh and put it in the elephant's place. Returns the exit status.
+// Read a mesh and fit it into the box of the elephant. Returns the exit status.
 static int read_mesh(const char *path, struct triangles *triangles)
 {
     static const double low[3] = {-0.7, -0.562, -0.7}, high[3] = {0.7, 0.85, 0.7};

@@ -1,5 +1,5 @@
 // cloth.c - linen, dyed with indigo: the warp is darker than the weft, and both are paler where
-// they were rubbed.
+// they have been rubbed.
 #include "weave.h"
 
 #include "paint.h"

@@ -18,8 +18,8 @@ static struct {
     float ground[MAP * MAP];
 } table;
 
-// Round heaps: one minus the square of the distance to the nearest of the random points, one in
-// each cell.
+// Round heaps: one minus the square of the distance to the nearest random point. There is one
+// random point in each cell.
 static double heaps(const double p[3], int cells, uint32_t seed)
 {
     int corner[3];
@@ -90,12 +90,12 @@ static double puffs_at(double x, double y, double z)
 
 // ---- The field ----
 
-#define RAGGED 16.0 // kilometres: how uneven the rim of an anvil is
-#define FIBRES 60.0 // kilometres: period of the rim's bays
+#define RAGGED 16.0 // how uneven the rim of an anvil is, kilometres
+#define FIBRES 60.0 // period of the rim's bays, kilometres
 
-// How far inside a tower a point lies, as a share of the field's depth. The head consists of ice:
-// it is thinner and smoother, and has a soft rim.
-//   ice  raised to the share of ice at this height
+// How far inside a tower a point is, as a share of the field's depth. The head consists of ice: it
+// is thinner and smoother, and has a soft rim.
+//   ice  is raised to the share of ice at this height, unless it is larger already
 static double inside_tower(const struct cumulus *field, const struct tower *tower,
                            const double p[2], double altitude, double *ice)
 {
@@ -109,7 +109,7 @@ static double inside_tower(const struct cumulus *field, const struct tower *towe
 }
 
 // The distance of a point from the line between the eye and a tower, as a multiple of the tower's
-// clearing; 1 if the tower has none.
+// clearing; 1 if the tower has no clearing.
 static double beside_the_way(const struct tower *tower, double x, double z)
 {
     if (tower->clearing <= 0.0)
@@ -163,8 +163,9 @@ static double thickness_at(const struct cumulus *field, double x, double y, doub
     return field->thickness * (1.0 - 0.8 * ice) * edge * foot;
 }
 
-// The share of light that comes through a cloud after many scatterings: a model fitted by eye. The
-// second term is the law of a thick layer without absorption, 1 / (1 + depth (1 - g) 3/4).
+// The share of light that passes through a cloud after being scattered many times, a model fitted
+// by eye. The second term is the law of a thick layer without absorption,
+// 1 / (1 + depth (1 - g) 3/4).
 static double diffused(double depth)
 {
     return 0.6 / (1.0 + 0.35 * depth + 0.05 * depth * depth) + 0.4 / (1.0 + 0.06 * depth);
@@ -186,8 +187,8 @@ static double light_from(const struct cumulus *field, const double p[3], double 
 
 // ---- The panorama ----
 
-// Cosine and sine of u turns: a half, a quarter, an eighth and so on, each found from the one
-// before with a square root, are combined according to the bits of u.
+// The cosine and sine of u turns. Those of a half turn, a quarter, an eighth and so on, each found
+// from those before with square roots, are combined according to the bits of u.
 static void turn(double u, double *cosine, double *sine)
 {
     double c = 1.0, s = 0.0, half_c = -1.0, half_s = 0.0, rest = 2.0 * (u - floor(u));
@@ -206,8 +207,8 @@ static void turn(double u, double *cosine, double *sine)
     *sine = s;
 }
 
-// The distance at which a ray from the ground has risen to this height; bend is the Earth's
-// curvature along the ray.
+// The distance at which a ray from the ground has risen to a height; bend is the Earth's curvature
+// along the ray.
 static double reach(double climb, double bend, double height)
 {
     return 2.0 * height / (climb + sqrt(climb * climb + 2.0 * bend * height));
@@ -253,7 +254,7 @@ static void along_ray(const struct cumulus *field, double u, double v, double va
     value[2] = 0.5 + 0.5 * side / whole;
 }
 
-// ---- Its texels ----
+// ---- The texels of the panorama ----
 
 static float texel[CUMULUS_HEIGHT][CUMULUS_WIDTH][3];
 
@@ -268,7 +269,7 @@ static void draw_texels(const struct cumulus *field)
         }
 }
 
-// About how many texels of a row are together as wide in the sky as one of them is high, and up to
+// About how many texels of a row are together as wide in the sky as one texel is high, and up to
 // 1.8 times as many near the zenith. At the height h = pi / 2 v^2, a texel is pi v / CUMULUS_HEIGHT
 // high and 2 pi cos(h) / CUMULUS_WIDTH wide.
 static double texels_wide(int row)

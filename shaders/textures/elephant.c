@@ -2,8 +2,8 @@
 
 #include <math.h>
 
-// The right half, and the middle. Each line is a block's cell, the centre of its box, and half the
-// sides of the box.
+// The blocks of the right half, and those of the middle. Each line contains a block's cell, the
+// centre of its box, and half the sides of the box.
 static const struct mesh_block RIGHT[] = {
     // Hind leg and foreleg: foot, shin, thigh.
     {{8, 0, 3}, {0.31, -0.83, -0.50}, {0.19, 0.05, 0.20}},
@@ -65,7 +65,7 @@ enum {
     CENTRE = 7 // the middle cell along x
 };
 
-// Convert the coordinates of the sketch to those of the cube.
+// Convert the coordinates of these tables to those of the cube.
 static void fit(struct mesh_block *block)
 {
     static const double origin[3] = {0.0, -0.04, 0.381};

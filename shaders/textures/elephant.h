@@ -4,8 +4,8 @@
 
 #include "mesh.h"
 
-// The number of points of the grid on each axis, from -1 to 1, and the largest distance that it
-// stores.
+// The number of points of the grid on each axis, from -1 to 1, and the largest distance that the
+// grid stores.
 enum { ELEPHANT_SIDE = 64 };
 #define ELEPHANT_RANGE 0.5
 
@@ -20,9 +20,9 @@ struct triangles elephant_mesh(int steps);
 //   formula  2 i / (ELEPHANT_SIDE - 1) - 1
 double elephant_coordinate(int i);
 
-// The two bytes that store a distance: the high one and the low one.
-//   formula  the nearest whole number to 65535 (1 + distance / ELEPHANT_RANGE) / 2, with the
-//            distance clamped to the range
+// The two bytes that store a distance: the high byte and the low byte.
+//   formula  the integer nearest to 65535 (1 + distance / ELEPHANT_RANGE) / 2, with the distance
+//            clamped to the range
 void elephant_encode(double distance, unsigned char byte[2]);
 
 #endif

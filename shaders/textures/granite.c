@@ -9,8 +9,8 @@ enum { LARGE = 22, SMALL = 50, FLAKES = 84 }; // grains across a period
 struct mineral {
     uint32_t scale[3]; // 0xRRGGBB, from the darkest to the lightest
     double spread;     // how much the grains differ from each other
-    double cleavage;   // how strongly its cleavage planes show
-    double cloud;      // how uneven it is inside
+    double cleavage;   // how strongly the cleavage planes show
+    double cloud;      // how uneven the inside of a grain is
 };
 static const struct mineral rose = {{0x79645f, 0xaa948e, 0xd1c1ba}, 0.55, 0.34, 0.60},
                             white = {{0x989490, 0xc5c2be, 0xe8e6e2}, 0.50, 0.26, 0.60},

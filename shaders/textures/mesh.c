@@ -46,7 +46,7 @@ static bool filled(const struct mesh_block *block, int count, const int cell[3])
     return false;
 }
 
-// Add the face of a block that looks along an axis, or against it if side is negative.
+// Add the face of a block that faces along an axis, or against the axis if side is negative.
 static void add_face(struct mesh *mesh, const int cell[3], int axis, int side)
 {
     // The other two axes, ordered so that the corners are counter-clockwise as seen from outside.
@@ -61,7 +61,8 @@ static void add_face(struct mesh *mesh, const int cell[3], int axis, int side)
     }
 }
 
-// Replace the lattice's corners with the vertices that faces use, and set their positions.
+// In the faces, replace the indices of the lattice's corners with those of vertices, and set the
+// positions of the vertices.
 static void place_vertices(struct mesh *mesh, const struct mesh_block *block, int count)
 {
     double(*sum)[4] = mesh_memory(LATTICE, sizeof *sum);
@@ -107,14 +108,14 @@ struct mesh mesh_of_blocks(const struct mesh_block *block, int count)
 // ---- Subdivision ----
 
 // The edges of a mesh. of[i][k] is the index of the edge from corner k to corner k + 1 of face i;
-// end[e] has the vertices of edge e, the lower index first.
+// end[e] contains the vertices of edge e, the lower index first.
 struct edges {
     int (*of)[4];
     int (*end)[2];
     int count;
 };
 
-// The edges that begin at a vertex are a list, linked through next.
+// The edges that begin at a vertex form a list, linked through next.
 static struct edges find_edges(const struct mesh *mesh)
 {
     size_t sides = 4 * (size_t)mesh->faces;
@@ -164,7 +165,7 @@ static void place_points(struct mesh *fine, const struct mesh *mesh, const struc
     }
 }
 
-// Move the vertices, by the formula of mesh_subdivide.
+// Move the vertices, with the formula of mesh_subdivide.
 static void move_vertices(struct mesh *fine, const struct mesh *mesh, const struct edges *edges)
 {
     int *faces = mesh_memory((size_t)mesh->vertices, sizeof *faces);

@@ -30,8 +30,8 @@ struct mesh mesh_of_blocks(const struct mesh_block *block, int count);
 
 // One step of Catmull and Clark: each face becomes four. A closed mesh stays closed.
 //   formula  a face's point is the mean of its corners; an edge's point the mean of its ends and of
-//            the points of its two faces; a vertex with n faces moves to (F + 2 E + (n - 3) V) / n,
-//            F and E the means of the points of its faces and of the middles of its edges
+//            the points of its two faces; a vertex V with n faces moves to (F + 2 E + (n - 3) V) /
+//            n, F and E the means of the points of its faces and of the middles of its edges
 // Free the result with mesh_free; the argument still belongs to the caller.
 // Source: E. Catmull, J. Clark, 'Recursively generated B-spline surfaces on arbitrary topological
 // meshes', Computer-Aided Design 10 (1978).
@@ -51,7 +51,8 @@ struct triangles {
 struct triangles mesh_triangles(const struct mesh *mesh);
 void triangles_free(struct triangles *triangles);
 
-// Memory for count zeroed items; if there is not enough, prints a message and ends the program.
+// Allocates memory for count zeroed items. If there is not enough, prints a message and ends the
+// program.
 void *mesh_memory(size_t count, size_t size);
 
 #endif

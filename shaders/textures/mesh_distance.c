@@ -89,8 +89,8 @@ int mesh_nearest(const double *const corner[3], const double p[3], double neares
         return on_edge(b, c, 0.0, nearest, MESH_VERTEX_0 + 1);
     if (ac_c >= 0.0 && ab_c <= ac_c)
         return on_edge(c, a, 0.0, nearest, MESH_VERTEX_0 + 2);
-    // The areas of the triangles between the projected point and each side, with signs, all times
-    // the same factor.
+    // The signed areas of the triangles between the projected point and each side, all times the
+    // same factor.
     double area_c = ab_a * ac_b - ab_b * ac_a, area_b = ab_c * ac_a - ab_a * ac_c;
     double area_a = ab_b * ac_c - ab_c * ac_b;
     if (area_c <= 0.0 && ab_a >= 0.0 && ab_b <= 0.0)
@@ -108,7 +108,8 @@ int mesh_nearest(const double *const corner[3], const double p[3], double neares
 
 // ---- Normals ----
 
-// Add each face's normal to those of its vertices, weighted by its angle there.
+// Add each face's normal to the normals of its vertices, weighted by the face's angle at each
+// vertex.
 static void add_faces(struct mesh_tree *tree, double (*vertex_sum)[3])
 {
     const struct triangles *triangles = tree->triangles;
@@ -129,7 +130,7 @@ static void add_faces(struct mesh_tree *tree, double (*vertex_sum)[3])
     }
 }
 
-// The triangles around each vertex are a list: side 3 i + k begins at corner k of triangle i.
+// The sides that begin at a vertex form a list: side 3 i + k begins at corner k of triangle i.
 static void add_edges(struct mesh_tree *tree)
 {
     const struct triangles *triangles = tree->triangles;
@@ -197,9 +198,9 @@ static void fit_box(const struct mesh_tree *tree, struct mesh_box *box)
     }
 }
 
-// Sort the triangles of a box into two parts: those whose middles lie below the plane that halves
-// the box's longest side, and the others. If all lie on one side, the list is halved. Returns the
-// number of triangles in the first part.
+// Sort the triangles of a box into two parts: those whose middles are below the plane that halves
+// the box's longest side, and the others. If all are in one part, the list is halved instead.
+// Returns the number of triangles in the first part.
 static int split(const struct mesh_tree *tree, const struct mesh_box *box)
 {
     int axis = 0, *order = tree->order + box->first, count = 0;
@@ -250,9 +251,9 @@ void mesh_tree_free(struct mesh_tree *tree)
 
 // ---- The distance ----
 
-// The nearest point so far.
+// The nearest point found so far.
 struct search {
-    double squared;  // of the distance
+    double squared;  // square of the distance
     double aside[3]; // from the nearest point to p
     int triangle;
     int feature;

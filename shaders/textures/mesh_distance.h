@@ -1,8 +1,8 @@
 // mesh_distance.h - the signed distance to a closed mesh of triangles.
 //
-// The distance is that to the nearest triangle, found with a tree of boxes. Its sign is the sign of
-// a dot product with the normal at the nearest point: the normal of the face, of the edge, or of
-// the vertex, where the normals of the faces around it are weighted by their angles.
+// The distance is the distance to the nearest triangle, found with a tree of boxes. Its sign is the
+// sign of a dot product with the normal at the nearest point: the normal of the face, of the edge,
+// or of the vertex, where the normals of the faces are weighted by the faces' angles at the vertex.
 // docs/23_stored_distances.md proves that this sign is right for every closed mesh that does not
 // cross itself.
 #ifndef MESH_DISTANCE_H
@@ -10,7 +10,7 @@
 
 #include "mesh.h"
 
-enum { MESH_LEAF = 4 }; // the most triangles in a leaf
+enum { MESH_LEAF = 4 }; // the largest number of triangles in a leaf
 
 // A box of the tree: its triangles are order[first] to order[first + count - 1]. A leaf has no
 // children; the children of any other box are left and left + 1.
@@ -21,14 +21,14 @@ struct mesh_box {
 };
 
 struct mesh_tree {
-    const struct triangles *triangles; // the caller's; must stay valid until mesh_tree_free
+    const struct triangles *triangles; // owned by the caller; must outlive the tree
     double (*normal)[7][3]; // of each triangle: face, edges 01 12 20, vertices 0 1 2; owned
     int *order;             // owned
     struct mesh_box *box;   // box[0] contains all; owned
     int boxes;
 };
 
-// The part of a triangle to which a point is nearest: an index into mesh_tree.normal.
+// The part of a triangle that is nearest to a point: an index into mesh_tree.normal.
 enum mesh_feature { MESH_FACE, MESH_EDGE_01, MESH_EDGE_12, MESH_EDGE_20, MESH_VERTEX_0 };
 
 // The point of a triangle that is nearest to p.
@@ -39,7 +39,7 @@ enum mesh_feature { MESH_FACE, MESH_EDGE_01, MESH_EDGE_12, MESH_EDGE_20, MESH_VE
 int mesh_nearest(const double *const corner[3], const double p[3], double nearest[3]);
 
 // Build the tree and the normals. Free with mesh_tree_free.
-//   triangles  closed: each edge belongs to two triangles, which have it in opposite directions
+//   triangles  closed: each edge belongs to two triangles, which traverse it in opposite directions
 struct mesh_tree mesh_tree_build(const struct triangles *triangles);
 void mesh_tree_free(struct mesh_tree *tree);
 

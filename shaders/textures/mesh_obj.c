@@ -56,11 +56,11 @@ static bool add_face(struct triangles *to, const char *c)
     return corners >= 3;
 }
 
-// ---- Is it closed? ----
+// ---- Checking that a mesh is closed ----
 
 struct edge {
     int low, high; // its vertices, low < high
-    int up;        // 1 if the triangle has it from low to high, otherwise -1
+    int up;        // 1 if the triangle traverses it from low to high, otherwise -1
 };
 
 static int by_vertices(const void *one, const void *other)
@@ -112,12 +112,12 @@ const char *mesh_read_obj(FILE *file, struct triangles *triangles)
         if (strncmp(line, "f ", 2) == 0 && !add_face(triangles, line + 2))
             return "a face needs at least three indices of vertices that precede it";
         if (triangles->count > 1000000)
-            return "it has more than a million triangles";
+            return "the mesh has more than a million triangles";
     }
     if (ferror(file) != 0)
-        return "it cannot be read";
+        return "the file cannot be read";
     if (triangles->count == 0)
-        return "it has no faces";
+        return "the file has no faces";
     for (int i = 0; i < triangles->count; i++) {
         const int *corner = triangles->corner[i];
         if (!has_area(triangles->vertex[corner[0]], triangles->vertex[corner[1]],
@@ -125,8 +125,8 @@ const char *mesh_read_obj(FILE *file, struct triangles *triangles)
             return "a triangle has no area";
     }
     return is_closed(triangles) ? NULL
-                                : "it is not closed: an edge does not belong to two faces that "
-                                  "have it in opposite directions";
+                                : "the mesh is not closed: an edge does not belong to two faces "
+                                  "that traverse it in opposite directions";
 }
 
 // ---- Fitting ----

@@ -1,8 +1,8 @@
 // moon.c - the near side of a moon, to be read as numbers: the brightness of the ground in red, and
 // its slopes to the right and upwards in green and blue.
 //
-// The seas lie about where those of our Moon lie, and so do the craters that have a name.
-// Everything else is random: there are many small craters and few large ones.
+// The seas are about where those of our Moon are, and so are the craters of the table `named`.
+// Everything else is random, with many small craters and few large ones.
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -89,9 +89,9 @@ static const double seas[][4] = {
     {-0.097, 0.784, 0.030, 1.10},  {0.960, 0.010, 0.060, 0.80},   {0.620, 0.780, 0.030, 0.90},
     {0.935, 0.160, 0.045, 0.80}};
 
-// How deep inside the seas a point lies, 0 to 1. Noise warps the shores, and there are islands near
-// them.
-//   dark  receives the mean darkness of the seas there
+// How deep inside the seas a point is, 0 to 1. Noise warps the shores, and there are islands near
+// the shores.
+//   dark  receives the mean darkness of the seas at the point
 static double sea_at(struct point p, double *dark)
 {
     double inside = 0.0, sum = 0.0, weight = 1e-9;
@@ -138,7 +138,7 @@ static const struct {
              {-0.620, -0.300, 0.0320, 0.10, 0.0},  {-0.440, -0.700, 0.0550, 0.05, 0.0}};
 
 // How strong the rays of a crater are at a point, 0 to about 1. A ray is a streak that leaves the
-// crater in one direction, so it is noise that depends only on the direction, torn into patches.
+// crater in one direction, so rays are noise that depends only on the direction, torn into patches.
 //   far  distance of the point from the crater's middle
 static double ray_at(const struct crater *crater, struct point p, double far)
 {
@@ -155,8 +155,8 @@ static double ray_at(const struct crater *crater, struct point p, double far)
     return fmax(thin * fade * (0.75 + 0.6 * patch), 0.80 * blanket);
 }
 
-// The height of a crater's bowl and rim, in radii of the moon; q is the distance in the crater's
-// radii.
+// The height of a crater's bowl and rim, in radii of the moon; q is the distance from the crater's
+// centre, in radii of the crater.
 static double bowl(double q, double radius)
 {
     double deep = 0.0009 + 0.050 * radius, flat = paint_step(0.016, 0.045, radius);
@@ -198,7 +198,7 @@ static void dig(const struct crater *crater)
         }
 }
 
-// ---- The whole ----
+// ---- The whole moon ----
 
 static void ground(void)
 {
@@ -227,8 +227,8 @@ static double lot(int i, uint32_t what)
     return paint_random(i, 5, what);
 }
 
-// Dig the random craters, each on top of those before it: the number of craters larger than r falls
-// as 1 / r^2. Lava has covered most of those in the seas.
+// Dig the random craters, each on top of those before it. The number of craters larger than r falls
+// as 1 / r^2. Lava has covered most of the craters in the seas.
 static void by_lot(void)
 {
     for (int i = 0; i < CRATERS; i++) {
@@ -266,7 +266,7 @@ static void draw(void)
     }
 }
 
-// The value of a map at a row and a column; outside the disc it fades to the mean.
+// The value of a map at a row and a column; outside the disc the value fades to the mean.
 static double look_up(float map[SIDE][SIDE], double row, double column, double mean)
 {
     int i = (int)fmin(fmax(floor(row), 0.0), SIDE - 1.0);
@@ -276,7 +276,8 @@ static double look_up(float map[SIDE][SIDE], double row, double column, double m
     return mean + here * ((double)map[i][j] - mean);
 }
 
-// The mean of the four points of a map in a pixel of the picture; dx and dy move them, in points.
+// The mean of the four points of a map in a pixel of the picture; dx and dy, in points, move these
+// points.
 static double mean_of(float map[SIDE][SIDE], double u, double v, double dx, double dy, double mean)
 {
     double sum = 0.0;

@@ -35,7 +35,7 @@ double paint_random(int i, int j, uint32_t seed)
 // ---- Real arithmetic ----
 
 // The rest is at most half of log 2 = 0.693 in size, where 14 terms are enough: 0.35^15 / 15! is
-// 1e-19. Two constants add up to log 2; n times the first one is exact.
+// 1e-19. Two constants add up to log 2; n times the first constant is exact.
 double paint_exp(double x)
 {
     if (x < -700.0)
@@ -133,7 +133,7 @@ struct paint_grain paint_grain(double u, double v, int columns, int rows, uint32
 
 // ---- Colour ----
 
-// The fifth root of x in (0, 1], by a fixed number of steps of Newton's method from above.
+// The fifth root of x in (0, 1], from a fixed number of steps of Newton's method from above.
 static double fifth_root(double x)
 {
     double y = 1.0;
@@ -151,7 +151,8 @@ static double decode(double value)
     return x * x * fifth_root(x * x);
 }
 
-// The linear light of the bytes and of the limits halfway between them: entry k is that of k / 2.
+// The linear light of the bytes and of the limits halfway between them: entry k is the light of the
+// byte value k / 2.
 static const double *light_of_halves(void)
 {
     static double light[511];

@@ -1,7 +1,7 @@
 // painted_sky.c - a sky painted by eye, for an exercise of chapter 18. The sine of the sun's height
 // increases to the right, from -1 to 1, and that of the direction's height upwards, from 0 to 1.
-// The lower storey is the half of the sky that contains the sun, the upper one the other half. The
-// colours are those that the screen should show. The table is read with sRGB and clamp.
+// The lower storey is the half of the sky that contains the sun, and the upper storey is the other
+// half. The colours are those that the screen should show. The table is read with sRGB and clamp.
 #include <math.h>
 
 #include "paint.h"
@@ -17,7 +17,7 @@ static const uint32_t opposite[9] = {0x121a2c, 0x121a2c, 0x181e34, 0x3a3c5c, 0xa
 static void sky(double u, double v, double value[3])
 {
     double storey = v < 0.5 ? 0.0 : 1.0, row = 2.0 * v - storey, low[3], high[3];
-    // Around sunset a painter needs most of the colours.
+    // Most of the colours are needed around sunset.
     double sun = 2.0 * u - 1.0,
            x = 0.5 + 0.5 * (sun < 0.0 ? -1.0 : 1.0) * sqrt(sun < 0.0 ? -sun : sun);
     double down = (1.0 - row) * (1.0 - row) * (1.0 - row);

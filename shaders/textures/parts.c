@@ -71,14 +71,14 @@ struct part part_stored(struct part part)
 struct block {
     int low[3], high[3];
     uint16_t *id;
-    double *distance; // of the parts from the centre
+    double *distance; // distances of the parts from the centre
     int count;
 };
 
 struct builder {
     struct part_grid *grid;
     const struct part *part;
-    int room; // of grid->id
+    int room; // capacity of grid->id
     bool failed;
 };
 
@@ -104,7 +104,7 @@ static double prune(const struct builder *b, struct block *block, const double c
     return value;
 }
 
-// Truncate the list of a cell, and store it.
+// Shorten the list of a cell, and store it.
 //   value  the scene's distance from the centre
 //   r      the corners' distance from the centre
 static void finish(struct builder *b, struct block *block, double value, double r)
@@ -178,7 +178,8 @@ static void divide(struct builder *b, const struct block *box, const uint16_t *i
     free(block.distance);
 }
 
-// Set the box around all parts and the material that their blends add, and its cells.
+// Set the grid's box, which contains all parts and the material that their blends add, and its
+// cells.
 static void surround(struct part_grid *grid, const struct part *part, int count, double fineness)
 {
     double high[3], longest = 0.0, root = 1.0;

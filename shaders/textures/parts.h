@@ -14,7 +14,7 @@
 #define PART_RADIUS     (1.0 / 65536.0) // radii are squares of whole numbers times this
 
 // A part is left out of a cell's list if it is farther than the nearest part by PART_REACH times
-// the blend, or if it is PART_MARGIN times the blend away from the whole cell.
+// the blend, or if it is PART_MARGIN times the blend away from every point of the cell.
 #define PART_REACH  3.0
 #define PART_MARGIN 3.0
 
@@ -41,7 +41,7 @@ double part_union(double a, double b, double blend);
 double parts_distance(const struct part *part, const uint16_t *id, int count, double blend,
                       const double p[3]);
 
-// The part with its numbers as they are stored, rounded to the multiples above.
+// The part with its numbers rounded to the multiples above, as they are stored.
 struct part part_stored(struct part part);
 
 // ---- The grid ----

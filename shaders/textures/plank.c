@@ -1,7 +1,7 @@
 // plank.c - four weathered oak boards, with the grain along u and gaps between them.
 //
-// Each board is cut from its own log: its rings are lines of equal distance from the log's axis,
-// which is inclined to the cut, so that the board shows long pointed arches.
+// Each board is cut from a different log. Its rings are lines of equal distance from the log's
+// axis, which is inclined to the cut, so that the board shows long pointed arches.
 #include "paint.h"
 
 #include <math.h>
@@ -43,7 +43,7 @@ static void plank(double u, double v, double value[3])
     double tone = 0.70 - 0.30 * late + 0.30 * fibre - 0.26 * vessel + 0.30 * stain +
                   0.24 * (paint_random(board, 4, 7) - 0.5);
     paint_scale(5, oak, tone, value);
-    // The gap, and its rounded edges.
+    // Darken the gap and the rounded edges of the boards.
     double side = 0.5 - fabs(y - 0.5), end = BOARDS * (0.5 - fabs(x - 0.5));
     double near = fmin(side, end);
     double light = (0.08 + 0.92 * paint_step(0.004, 0.014, near)) *

@@ -10,7 +10,7 @@ enum kind { STAG, BUSH, FAN, TABLE, BRAIN, TUBES, ANEMONE };
 
 enum { STONE = 14, FISH = 15, PINK = 0, RED, ORANGE, YELLOW, GREEN, CYAN, BLUE, VIOLET, CREAM };
 
-enum { TIPS = 4096, COLONY = 96 }; // the most tips at a time; parts of a colony, roughly
+enum { TIPS = 4096, COLONY = 96 }; // limit on the tips at a time; parts of a colony, roughly
 
 struct v3 {
     double x, y, z;
@@ -89,7 +89,7 @@ static void add(struct reef *reef, struct v3 a, struct v3 b, double radius, int 
 
 // ---- Corals ----
 
-// A coral that forks until it has used its parts.
+// A coral that forks until it has used up its parts.
 static void fork(struct reef *reef, enum kind kind, struct v3 base, double size, int colour,
                  int end)
 {
@@ -125,7 +125,7 @@ static void fork(struct reef *reef, enum kind kind, struct v3 base, double size,
     }
 }
 
-// A brain coral: many small balls on a large one.
+// A brain coral: many small balls on a large ball.
 static void brain(struct reef *reef, struct v3 base, double size, int colour, int end)
 {
     int balls = end - reef->count - 1;
@@ -165,7 +165,7 @@ static void cluster(struct reef *reef, enum kind kind, struct v3 base, double si
     }
 }
 
-// ---- The whole ----
+// ---- The whole reef ----
 
 // The height of the reef's bed, which rises to the left, to the right and far behind, around a
 // gully.
@@ -272,7 +272,7 @@ void reef_build(int count, struct part *part)
     for (int i = 0; i < colonies; i++, around = golden(around)) {
         double out = sqrt((i + 0.5) / colonies);
         struct v3 p = v3(4.9 * out * around.x, 0.0, 5.6 * out * around.z - 2.6);
-        p.x += p.x * p.x < 1.0 ? (p.x < 0.0 ? -0.8 : 0.8) : 0.0; // the gully
+        p.x += p.x * p.x < 1.0 ? (p.x < 0.0 ? -0.8 : 0.8) : 0.0; // keep the gully free
         p.y = bed(p.x, p.z) + 0.22 * size;
         int end = (int)((double)grown * (i + 1) / colonies + 0.5);
         colony(&reef, i, p, size * (0.8 + 0.45 * drawn(&reef)), end);

@@ -91,7 +91,7 @@ static double smooth_union(double a, double b)
 }
 
 // Find the part of the grid that a piece may change: low is its first point, size the number of
-// points on each axis. Returns false if there is none.
+// points on each axis. Returns false if no part may change.
 static bool find_box(const double from[3], const double to[3], double radius, int low[3],
                      int size[3])
 {

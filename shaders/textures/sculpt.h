@@ -1,7 +1,7 @@
 // sculpt.h - clay that is added to a grid of distances or taken away from it.
 //
 // A grid has ELEPHANT_SIDE points on each axis, from -1 to 1, and four bytes for each point, x
-// fastest: red is the high byte of a distance, green the low one (elephant.h). shaders/stored.glsl
+// fastest: red is the high byte of a distance, green the low byte (elephant.h). shaders/stored.glsl
 // reads such grids. docs/23_stored_distances.md proves the claims made here.
 #ifndef SCULPT_H
 #define SCULPT_H
@@ -19,7 +19,7 @@ double sculpt_value(const unsigned char *grid, const double p[3]);
 // March along a ray with the steps of storedStep.
 //   direction  of length 1
 //   hit        receives the first point of the march where the stored distance is below 0.0001
-// Returns false if there is none within a distance of 20.
+// Returns false if there is no such point within a distance of 20.
 bool sculpt_march(const unsigned char *grid, const double origin[3], const double direction[3],
                   double hit[3]);
 
@@ -30,11 +30,12 @@ bool sculpt_march(const unsigned char *grid, const double origin[3], const doubl
 //             are first united with each other and then blended with this grid, so that their
 //             joints do not swell
 //   radius    of the roll; negative to take clay away
-//   slices    receives the first slice in z that may have changed, and the one after the last
+//   slices    receives the first slice in z that may have changed, and the slice after the last;
+//             (0, 0) if no slice may have changed
 //   formula   min(F, U(F before, r)) where clay is added, max(F, -U(-F before, r)) where it is
-//             taken away, U the quadratic smooth union. A point whose distance to the roll is at
-//             least |F| + SCULPT_BLEND keeps its value: no surface nearer than |F| has changed.
-//             The values beside the new surface stay as they are blended; all others are swept
+//             taken away, r the distance to the roll, U the quadratic smooth union. A point with
+//             r >= |F| + SCULPT_BLEND keeps its value, because no surface nearer than |F| has
+//             changed. The blended values beside the new surface stay; all others are swept
 void sculpt_piece(unsigned char *grid, const unsigned char *before, const double from[3],
                   const double to[3], double radius, int slices[2]);
 

@@ -47,7 +47,7 @@ static double to_crossing(const struct grid *grid, ptrdiff_t i, int axis)
 
 // Set the distance of a point that is next to the surface: the distance to the plane that cuts the
 // axes at the crossings or, if values are kept, the value. For any other point, set INFINITY.
-//   formula  1 / sqrt(1 / a^2 + 1 / b^2 + 1 / c^2)
+//   formula  1 / sqrt(1 / a^2 + 1 / b^2 + 1 / c^2), with the distances a, b, c to the crossings
 static void begin(struct grid *grid, ptrdiff_t i)
 {
     double sum = 0.0;

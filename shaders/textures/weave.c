@@ -20,8 +20,8 @@ static struct weave thread_at(double along, double across, bool warp)
     double radius =
         0.38 + 0.12 * paint_random(thread, 0, seed + 20) + 0.30 * paint_step(0.5, 0.95, thick);
     double from = (position - middle) / radius;
-    // The thread lies on top at every second crossing, with a smooth transition down and up between
-    // them.
+    // The thread is on top at every second crossing, with a smooth transition down and up between
+    // the crossings.
     double crossing = along * WEAVE_THREADS - 0.5, way = crossing - floor(crossing);
     bool from_above = ((int)floor(crossing) + thread + (warp ? 0 : 1)) % 2 == 0;
     double up = paint_step(0.0, 1.0, from_above ? 1.0 - way : way);
