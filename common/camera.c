@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-// Computed in double, because a float loses digits of cos(tilt) near the limit.
+// The frame is computed in double, because a float loses digits of cos(tilt) near the limit.
 struct camera_basis camera_basis_of(const struct camera *camera)
 {
     double pan = (double)camera->pan * GLM_PI / 180.0;
@@ -19,7 +19,7 @@ void camera_turn(struct camera *camera, float pan, float tilt)
 {
     double turned = fmod((double)camera->pan + (double)pan + 180.0, 360.0);
     float wrapped = (float)(turned < 0.0 ? turned + 180.0 : turned - 180.0);
-    // The nearest float to a number just below 180 is 180.
+    // A double just below 180 may be rounded to the float 180.
     camera->pan = wrapped >= 180.0f ? -180.0f : wrapped;
     camera->tilt = glm_clamp(camera->tilt + tilt, -CAMERA_TILT_LIMIT, CAMERA_TILT_LIMIT);
 }
@@ -30,8 +30,8 @@ void camera_move(struct camera *camera, const float direction[3], float distance
     vec3 path = {0.0f, direction[1], 0.0f};
     glm_vec3_muladds(basis.right, direction[0], path);
     glm_vec3_muladds(basis.forward, direction[2], path);
-    // If the camera is tilted, forward and the world's up are not perpendicular, so the sum is
-    // normalised.
+    // If the camera is tilted, forward and the world's up are not perpendicular, so the length of
+    // path may differ from that of direction.
     float length = glm_vec3_norm(path);
     if (length > 1e-6f)
         glm_vec3_muladds(path, distance / length, camera->position);

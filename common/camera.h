@@ -1,13 +1,14 @@
 // camera.h - the position of the eye and the direction in which it looks.
 //
-// The world is right-handed, and y is up. Pan 0 and tilt 0 look along -z; a positive pan turns to
-// the right (towards +x), a positive tilt turns up.
+// The world is right-handed, and y is up. With pan 0 and tilt 0, the camera looks along -z. A
+// positive pan turns it to the right (towards +x), and a positive tilt turns it upwards.
 #ifndef CAMERA_H
 #define CAMERA_H
 
 #include <cglm/cglm.h>
 
-// Beyond this tilt the view direction is almost vertical, where "right" is undefined.
+// The limit of the tilt upwards and downwards. If the view direction were vertical, forward x
+// (0, 1, 0) would be zero, and "right" would be undefined.
 #define CAMERA_TILT_LIMIT 89.0f // degrees
 
 struct camera {
@@ -21,20 +22,21 @@ struct camera_basis {
     vec3 right, up, forward;
 };
 
-// The frame of a camera:
+// Return the frame of a camera:
 //   forward = (sin pan cos tilt, sin tilt, -cos pan cos tilt)
 //   right   = normalize(forward x (0, 1, 0)) = (cos pan, 0, sin pan)
 //   up      = right x forward
 //   camera  must have a tilt within the limit; its position is not used
 struct camera_basis camera_basis_of(const struct camera *camera);
 
-// Turn by angles in degrees; the tilt stops at its limit, and the pan wraps into [-180, 180).
+// Turn the camera by angles in degrees. The tilt stops at its limit, and the pan wraps into
+// [-180, 180).
 void camera_turn(struct camera *camera, float pan, float tilt);
 
-// Move in the camera's own frame.
-//   direction  (right, up, forward), each usually -1, 0 or 1; right and forward follow the view,
-//              up is the world's y. A direction of length 0 moves nothing; any other is normalised,
-//              so that a diagonal is no faster than a straight line.
+// Move the camera.
+//   direction  (right, up, forward), each usually -1, 0 or 1; right and forward are those of the
+//              view, but up is the world's y. A zero direction does not move the camera; any other
+//              is normalised, so that the camera is no faster along a diagonal.
 //   distance   scene units: speed times seconds, so that the path does not depend on the frame rate
 void camera_move(struct camera *camera, const float direction[3], float distance);
 

@@ -19,14 +19,14 @@
 struct chapter {
     const char *stem;                  // "01_normal_colouring"
     const char *title;                 // for the window's title bar and --help
-    const char *shows;                 // one sentence: what the picture shows
-    struct camera camera;              // the initial view
+    const char *shows;                 // one sentence about what the picture shows
+    struct camera camera;              // the camera at the start
     const struct sculpture_tool *tool; // changes a texture under the pointer; may be NULL
 };
 
-// Carry out the command line: options -> shader -> context -> renderer -> picture or window.
-// Returns the exit status: 0 success; 1 failure; 2 the command line is wrong; 3 no window can be
-// opened here. All but the first are reported.
+// Execute the command line: options -> shader -> context -> renderer -> picture or window.
+// Returns the exit status: 0 after success, 1 after a failure, 2 if the command line is wrong, and
+// 3 if no window can be opened. Every status other than 0 is reported.
 int chapter_run(const struct chapter *chapter, int argc, char **argv);
 
 // ---- For callers with their own main loop ----
@@ -34,20 +34,21 @@ int chapter_run(const struct chapter *chapter, int argc, char **argv);
 struct run;
 struct window;
 
-// Carry out the command line up to the window's loop.
-//   run            receives what chapter_close frees, whatever the status is
+// Execute the command line up to the window's main loop.
+//   run            receives the run; the caller closes it with chapter_close, whatever the status
 //   chapter, argv  must outlive the run
 // Returns the exit status so far, as chapter_run does.
 int chapter_open(struct run **run, const struct chapter *chapter, int argc, char **argv);
 
-// Read the shaders of a command line, and have the driver start compiling them. When chapter_ready
+// Read the shaders of a command line, and have the driver start compiling them. Once chapter_ready
 // returns true, chapter_open, called with another run, no longer waits for the compiler. An error
 // is reported here, and again by chapter_open.
-//   run  receives what chapter_close frees
+//   run  receives the run; the caller closes it with chapter_close
 void chapter_begin(struct run **run, const struct chapter *chapter, int argc, char **argv);
 bool chapter_ready(const struct run *run);
 
-// The window, whose loop the caller runs; NULL if none was requested or none could be opened.
+// Return the window, whose loop the caller runs, or NULL if no window was requested or none could
+// be opened.
 struct window *chapter_window(const struct run *run);
 
 void chapter_close(struct run *run);

@@ -1,4 +1,4 @@
-// json.h - a writer of JSON.
+// json.h - writes JSON to a stream.
 #ifndef JSON_H
 #define JSON_H
 
@@ -8,11 +8,11 @@
 // Initialise a writer with {.stream = stream}.
 struct json {
     FILE *stream;
-    bool lines; // each member of an object gets its own line
+    bool lines; // each member of an object is on a separate line
     bool comma; // the next value needs a comma before it
 };
 
-// Each function writes one value, or one bracket of a value.
+// Each function writes one value, or the opening or closing bracket of an object or array.
 //   name     name of the member of an object; NULL in an array and for the outermost value
 //   bracket  { or [ to begin, } or ] to end
 //   text     UTF-8; NULL is written as ""

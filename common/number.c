@@ -8,10 +8,10 @@
 #include <string.h>
 
 #define DIGITS  "0123456789"
-#define LONGEST 128 // bytes of a number, including the final '\0'
+#define LONGEST 128 // size of the longest number in bytes, including the final '\0'
 
 // Return the length of the number with which the text begins, or 0 if there is none. point receives
-// the index of its decimal point if it has one.
+// the index of its decimal point or, if it has none, of the character after its digits.
 static size_t measure(const char *text, size_t *point)
 {
     size_t i = text[0] == '-' || text[0] == '+';

@@ -1,6 +1,7 @@
 // platform.h - functions that C11 lacks and systems provide differently: files, links, clocks,
 // environment, console, crashes. Only platform/posix*.c and platform/windows*.c include a system's
-// headers or ask which system they are on. A path is UTF-8, with '/' between its parts.
+// headers or ask which system they are on; context/osmesa.c alone includes one more, <dlfcn.h>. A
+// path is UTF-8, with '/' between its parts.
 #ifndef PLATFORM_H
 #define PLATFORM_H
 
@@ -14,7 +15,7 @@
 
 // ---- Files ----
 
-// What is known about a file; all zeros if it does not exist.
+// The properties of a file; all are 0 if the file does not exist.
 struct platform_file {
     bool regular;                   // not a folder, pipe or device
     long long size;                 // bytes
@@ -52,14 +53,14 @@ bool platform_target(const char *path, char target[PLATFORM_PATH], char why[PLAT
 // Returns 0 or an errno. After an error, no new file is left, and the old one is unchanged.
 int platform_replace(const char *target, const char *data, size_t size);
 
-// Open a stream into memory. When the stream is closed, text receives what was written, with '\0'
+// Open a stream into memory. When the stream is closed, *text receives the written text, with '\0'
 // at the end.
 //   text  receives memory that the caller frees
 //   size  receives the length of the text in bytes without the '\0'
 // Both variables must live until the stream is closed. Returns NULL if the stream cannot be opened.
 FILE *platform_open_text(char **text, size_t *size);
 
-// Close a stream of platform_open_text. Returns false if part of the text was lost.
+// Close a stream that platform_open_text opened. Returns false if part of the text was lost.
 bool platform_close_text(FILE *stream);
 
 // True if the process that reads standard output through a pipe has closed it. The function tries
@@ -72,10 +73,11 @@ const char *platform_why(int error);
 
 // ---- The program and its environment ----
 
-// Find the absolute path of this program's own file, without links. Returns false if it is unknown.
+// Find the absolute path of this program's executable, without links. Returns false if the path is
+// unknown.
 bool platform_program(char path[PLATFORM_PATH]);
 
-// Set a variable of the environment for libraries that read it later.
+// Set an environment variable for libraries that read it later.
 //   over  whether to replace an existing value
 void platform_set(const char *name, const char *value, bool over);
 
@@ -113,12 +115,12 @@ void platform_watch_crash(const char *words);
 // example because its disk is full.
 void platform_watch_lost_page(const char *words);
 
-// Do the same, permanently, if the memory of the process is limited (ulimit -v), because a driver
-// crashes when it cannot get more.
+// Do the same, permanently, for a crash or an abort if the memory of the process is limited
+// (ulimit -v), because a driver that cannot get more memory crashes or aborts.
 void platform_watch_short_memory(const char *words);
 
-// Limit the process to this many bytes more than it has now. There is no limit if the system does
-// not say how much the process has.
+// Limit the process to this many bytes of memory more than it has now. There is no limit if the
+// system does not say how much memory the process has.
 void platform_limit_memory(double more);
 
 // Lift the limit of platform_limit_memory, if there is one.

@@ -5,12 +5,12 @@
 #include <stdio.h>
 #include <string.h>
 
-#define LINE_SIZE 8192 // two of the longest paths fit
+#define LINE_SIZE 8192 // bytes, enough for two of the longest paths
 
 // The last message.
 static char last[LINE_SIZE + 2];
 
-// The text with which messages begin.
+// The text at the beginning of each message.
 static char location[1024];
 
 void report_location(const char *text)
@@ -36,8 +36,9 @@ static void keep(const char *text, size_t length)
     last[length] = '\0';
 }
 
-// Print a text with '?' for its control characters, except those in allowed, and end its last line.
-// A text that fits the buffer is written in one call, so that lines of several programs do not mix.
+// Print text with '?' instead of its control characters, except those in allowed, and end its last
+// line. Text that fits into the buffer is written in one call, so that the lines of several
+// programs do not mix.
 static void print_clean(const char *text, const char *allowed)
 {
     char clean[LINE_SIZE + 1];

@@ -11,17 +11,17 @@
 bool report(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 // Begin every message of report() with a position in a file and ": ", as in "my.txt:3: ", until the
-// next call.
+// next call of this function.
 //   text  the position, which is copied; NULL for none
 void report_location(const char *text);
 
-// Print a text of several lines, such as a shader's errors with their source, on standard error.
+// Print several lines of text, such as a shader's errors with their source, on standard error.
 // Control characters other than newlines and tabs are printed as '?'.
 void report_lines(const char *text);
 
-// Return the last message of report() or report_lines(), to show it elsewhere too. Control
-// characters are '?', lines end in '\n', and a very long text is cut. Returns "" before the first
-// message. Valid until the next one.
+// Return the last message of report() or report_lines(), so that it can also be shown elsewhere.
+// Control characters are replaced with '?', lines end in '\n', and text beyond 8 KiB is cut off.
+// Returns "" before the first message. The string is valid until the next message.
 const char *report_last(void);
 
 #endif

@@ -1,28 +1,30 @@
 // canvas.h - the canvas's size and input. The page's script calls these functions, and glfw.c
-// passes the values on to the harness.
+// passes the size and the input on to the harness.
 #ifndef CANVAS_H
 #define CANVAS_H
 
 // The canvas has changed size.
-//   width, height  size in the page's units
+//   width, height  size in CSS pixels
 //   across, down   size of the drawing buffer in pixels
 void live_size(int width, int height, int across, int down);
 
-// A key was pressed, repeated or released. The page maps the positions of keys to GLFW's keys,
-// and does not pass on the keys that it uses itself.
+// A key was pressed, repeated or released. The page maps the position of the key to GLFW's key
+// code, and does not pass on the keys that are left to the browser, such as Tab.
 void live_key(int key, int action, int modifiers);
 
-// A character was typed.
+// A character was typed, given as its Unicode code point.
 void live_type(unsigned code);
 
-// The pointer has moved to a position, in the page's units from the canvas's top left.
+// The pointer has moved to a position, in CSS pixels from the canvas's top left corner. While the
+// pointer is captured, the origin is arbitrary.
 void live_pointer(double x, double y);
 
 // A mouse button was pressed or released.
-//   button  GLFW's number
+//   button  GLFW's number for the button
 void live_button(int button, int pressed, int modifiers);
 
-// The wheel was turned by some notches, positive away from the user.
+// The wheel was turned by this many notches, which may be a fraction. Positive is away from the
+// user.
 void live_wheel(double notches);
 
 void live_focus(int focused);
@@ -31,7 +33,7 @@ void live_focus(int focused);
 // stopped.
 void live_hide(int hidden);
 
-// True if float targets do not blend, so that half floats are used.
+// True if the driver cannot blend into 32-bit float targets, so that half floats are used instead.
 int live_halves(void);
 
 #endif

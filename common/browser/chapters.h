@@ -1,15 +1,15 @@
-// chapters.h - the programs of all chapters, linked into one. make writes their list into
-// build/web/chapters.c.
+// chapters.h - the programs of all chapters, linked into one program: the module of the web pages,
+// or the lecture. make writes their list into chapters.c in the build folder.
 #ifndef CHAPTERS_H
 #define CHAPTERS_H
 
-// A chapter's main, under a unique name.
+// A chapter's main function, to which make gives a unique name.
 struct live_chapter {
     const char *stem;
     int (*main)(int argc, char **argv);
 };
 
-// The list ends with a stem of NULL.
+// The stem of the last element is NULL.
 extern const struct live_chapter live_chapters[];
 
 // Each main calls this instead of chapter_run, because make has the compiler rename the call.

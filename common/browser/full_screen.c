@@ -1,4 +1,4 @@
-// Replaces window/full_screen.c in a browser, which allows full screen only to a page's script.
+// Replaces window/full_screen.c in a browser, where only a page's script may switch to full screen.
 #include "window/full_screen.h"
 
 void window_toggle_full_screen(struct window *window)

@@ -1,8 +1,9 @@
 // glfw.c - the part of GLFW that the harness uses, implemented on the canvas of a page, which is
-// the only window. Input that the page's script reports (canvas.h) goes to the harness's callbacks.
+// the only window. Input that the page's script reports (canvas.h) is passed to the harness's
+// callbacks.
 //
-// Nothing waits here, because the page owns the loop. The clock is stopped while the page is
-// hidden.
+// No function here waits, because the page owns the loop. The clock is stopped while the page or
+// the canvas is hidden.
 #include "browser/canvas.h"
 
 #include <stdio.h>
@@ -15,7 +16,7 @@
 #include "context/gl.h"
 #include "platform.h"
 
-// Emscripten's library exports each function under its own name.
+// Emscripten's library exports each OpenGL function by name, so that a declaration is enough.
 #define WEB_DECLARE(type, name, arguments) type gl##name arguments;
 GL_FUNCTIONS(WEB_DECLARE)
 #undef WEB_DECLARE
@@ -41,14 +42,14 @@ struct GLFWcursor {
 static struct {
     struct GLFWwindow window;
     bool open, hidden, cleared, half, threads;
-    int size[2], pixels[2]; // of the canvas in the page's units; of its drawing buffer in pixels
-    double hidden_at, away; // seconds: when the page was last hidden, and how long before that
+    int size[2], pixels[2]; // of the canvas in CSS pixels; of its drawing buffer in pixels
+    double hidden_at, away; // seconds: start of the last hidden period; total of the earlier ones
     const char *why;        // reason for the last failure
 } web = {.size = {960, 540}, .pixels = {960, 540}, .why = ""};
 
 // ---- The functions of OpenGL ----
 
-// WebGL's own finish only flushes. Reading a pixel waits for everything that was drawn before.
+// WebGL's finish only flushes. Reading a pixel waits until everything before it has been drawn.
 static void finish(void)
 {
     GLint target = 0;
@@ -57,8 +58,9 @@ static void finish(void)
     glReadPixels(0, 0, 1, 1, GL_RGBA, target == 0 ? GL_UNSIGNED_BYTE : GL_FLOAT, pixel);
 }
 
-// A browser clears the canvas before the first draw of a frame. A blit does not count as a draw, so
-// the canvas would be cleared only before the overlay is drawn, which is after the blit.
+// A browser clears the canvas before the first draw call of a frame, but a blit does not count as
+// one. If the overlay's draw call came first, the picture that was blitted before it would be lost,
+// so the canvas is cleared before the blit.
 static GLint drawn(void)
 {
     GLint target = 0;
@@ -82,7 +84,7 @@ static void blit(GLint left, GLint bottom, GLint right, GLint top, GLint to_left
     glBlitFramebuffer(left, bottom, right, top, to_left, to_bottom, to_right, to_top, mask, filter);
 }
 
-// A browser without KHR_parallel_shader_compile would report that no program is ever compiled.
+// Without KHR_parallel_shader_compile, the browser would never report that a program is compiled.
 static void get_program(GLuint program, GLenum name, GLint *value)
 {
     if (name == GL_COMPLETION_STATUS_KHR && !web.threads)
@@ -91,7 +93,8 @@ static void get_program(GLuint program, GLenum name, GLint *value)
         glGetProgramiv(program, name, value);
 }
 
-// Every draw blends. If float targets do not blend, half floats are used.
+// The renderer draws with blending. If the driver cannot blend into 32-bit float targets, half
+// floats are used instead.
 static void tex_image(GLenum target, GLint level, GLint form, GLsizei width, GLsizei height,
                       GLint border, GLenum format, GLenum type, const void *pixels)
 {
@@ -163,7 +166,7 @@ void glfwDestroyWindow(GLFWwindow *window)
 {
     (void)window;
     page_close_context();
-    web.window = (struct GLFWwindow){.focused = web.window.focused}; // without callbacks
+    web.window = (struct GLFWwindow){.focused = web.window.focused}; // forgets the callbacks
     web.open = false;
 }
 
@@ -201,7 +204,7 @@ void glfwSwapInterval(int interval)
     (void)interval;
 }
 
-// The browser shows the frame when the turn ends.
+// The browser shows the frame when this iteration of the page's loop ends.
 void glfwSwapBuffers(GLFWwindow *window)
 {
     (void)window;
@@ -314,7 +317,7 @@ void glfwSetInputMode(GLFWwindow *window, int mode, int value)
         page_capture(value == GLFW_CURSOR_DISABLED);
 }
 
-// The shapes are six consecutive numbers, beginning with the arrow.
+// GLFW's shapes are six consecutive constants, beginning with the arrow.
 GLFWcursor *glfwCreateStandardCursor(int shape)
 {
     static struct GLFWcursor cursors[GLFW_VRESIZE_CURSOR - GLFW_ARROW_CURSOR + 1];
@@ -339,7 +342,7 @@ const char *glfwGetKeyName(int key, int scancode)
     return label[0] != '\0' ? label : NULL;
 }
 
-// A browser gives the clipboard only to the page's script, and only asynchronously.
+// Only the page's script may read the clipboard, and only asynchronously.
 const char *glfwGetClipboardString(GLFWwindow *window)
 {
     (void)window;

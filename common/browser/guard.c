@@ -1,5 +1,5 @@
 // Replaces context/guard.c in a browser, whose driver runs in another process. If the driver
-// crashes, the page receives an event.
+// crashes, the page receives the event webglcontextlost.
 #include "context/guard.h"
 
 void guard_process(void)

@@ -1,5 +1,5 @@
-// Replaces the reader and writer of PNG files, because a page has no libpng. The browser writes
-// them.
+// Replaces picture/image_read.c and picture/image_write.c in a browser, where there is no libpng:
+// stb reads PNG files, and the browser writes them.
 #include "picture/image.h"
 
 #include <stdio.h>

@@ -27,17 +27,17 @@ static struct {
     char *line; // the command line, split into arguments
     char *argument[ARGUMENTS + 1];
     int count;
-    bool visits;  // the next main only visits its files
-    bool begins;  // the next main only begins to compile
-    char *answer; // the last text that the page was given
+    bool visits;  // main only visits the files that it needs
+    bool begins;  // main only has the driver start compiling
+    char *answer; // the text that was last returned to the page
 } live;
 
 // The user's state while a lost context is restored.
 static struct {
     bool is;
-    struct window window; // of which inputs, ray and flags are restored
+    struct window window; // of which inputs, ray, paused and folded are restored
     enum shader_view view;
-    struct parameters parameters[2]; // of the picture, and of the second picture of a comparison
+    struct parameters parameters[2]; // of the picture, and of a comparison's second picture
     double divider;
     struct strokes strokes;
 } kept;
@@ -72,7 +72,8 @@ static char *split_word(char *c, char **word)
     return rest;
 }
 
-// Split a command line into the arguments of a main. Returns false after reporting the error.
+// Find the chapter, and split its command line into the arguments of main. Returns false after
+// reporting the error.
 static bool split(const char *stem, const char *line)
 {
     live.program = live_chapters;
@@ -98,7 +99,6 @@ static void add_file(void *json, const char *path)
     json_text(json, NULL, path);
 }
 
-// A chapter's main calls this instead of chapter_run.
 int live_run(const struct chapter *chapter, int argc, char **argv)
 {
     live.chapter = *chapter;
@@ -121,8 +121,8 @@ static struct window *window(void)
     return live.run != NULL ? chapter_window(live.run) : NULL;
 }
 
-// Run the chapter's main. The panel is hidden until H shows it, because the page shows the panel's
-// words beside the picture.
+// Run the chapter's main. Without the option --overlay, the panel is hidden until H shows it,
+// because the page shows the panel's text beside the picture.
 static int start(void)
 {
     int status = live.program->main(live.count, live.argument);
@@ -275,7 +275,8 @@ const char *live_version(void)
     return live.answer;
 }
 
-// Return the parameter with a name of live_state, such as "factor (right)", or NULL.
+// Find a parameter by its name in live_state, such as "factor (right)". Returns NULL if there is
+// none.
 static struct parameter *parameter(const char *name)
 {
     const struct renderer *renderer = window() != NULL ? window()->renderer : NULL;

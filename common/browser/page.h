@@ -1,16 +1,17 @@
-// page.h - functions of the page that its program calls, implemented by page.js.
+// page.h - functions of the page that its program calls, implemented in page.js.
 #ifndef PAGE_H
 #define PAGE_H
 
 enum { PAGE_CONTEXT, PAGE_NO_WEBGL, PAGE_NO_FLOATS };
 
 // Create a WebGL 2 context for the page's canvas, without alpha, antialiasing or depth, and make it
-// current. Returns PAGE_CONTEXT, or what is missing: WebGL 2, or float targets.
+// current. Returns PAGE_CONTEXT; otherwise PAGE_NO_WEBGL if WebGL 2 is missing, or PAGE_NO_FLOATS
+// if float targets are missing.
 int page_open_context(void);
 
 void page_close_context(void);
 
-// True if float targets blend (EXT_float_blend).
+// True if the driver can blend into 32-bit float targets (EXT_float_blend).
 int page_blends_floats(void);
 
 // True if the driver may compile on separate threads (KHR_parallel_shader_compile).

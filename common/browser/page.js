@@ -11,7 +11,7 @@ mergeInto(LibraryManager.library, {
         if (!handle) return 1;
         GL.makeContextCurrent(handle);
         Module['handle'] = handle;
-        // Some phones can draw only into half floats.
+        // Some phones can draw into half-float targets, but not into 32-bit ones.
         return GLctx.getExtension('EXT_color_buffer_float') || GLctx.getExtension('EXT_color_buffer_half_float') ? 0 : 2;
     },
     page_close_context__deps: ['$GL'],

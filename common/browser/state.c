@@ -61,8 +61,8 @@ static void write_probe(struct json *json, const struct probe *probe)
     json_end(json, '}');
 }
 
-// Write the handles, except those that no ray of the picture passes through, which have no
-// position.
+// Write the handles that have a position in the picture; a handle that no ray passes through has
+// none.
 static void write_handles(struct json *json, const struct window *window)
 {
     const int *side = (const int[]){window->inputs.width, window->inputs.height};

@@ -13,18 +13,19 @@ enum { STATE_NAME = 160 }; // bytes of a parameter's name, such as "factor (righ
 // Write the state:
 //   runs                  whether there is a window; without one, the list ends after unset
 //   title, shows          the chapter's title, and the sentence about its picture
-//   error                 the error that is shown, or ""
+//   error                 the error that the panel shows, or ""; without a window, the last one
+//                         reported
 //   unset                 one line about a uniform or block that nothing sets, or ""
-//   view, time, paused    the view's name; seconds
-//   compiles              whether the driver compiles the newest version of the shader
+//   view, time, paused    the view's name; the time in seconds; whether the time is paused
+//   compiles              whether the driver is compiling the newest version of the shader
 //   camera                position, pan and tilt, as for --camera
 //   rate, milliseconds    frames per second, and the time that the last picture took
 //   divisor, size, pixel  divisor of the picture's sides; size in pixels; selected pixel, or -1, -1
 //   shown, why            how many steps of the selected ray are shown, 0 for all; why it has no
 //                         march
-//   halves                whether float targets are made of half floats
+//   halves                whether float targets contain half floats
 //   views                 the names of the views, in the order of their numbers
-//   files                 the shader's files, paths
+//   files                 the paths of the shader's files
 //   parameters            of both pictures of a comparison, as the panel lists them: name, type,
 //                         value, initial, minimum, maximum, step, multiplies, unit, meaning
 //   handles               those in the picture: name, x and y as fractions of the picture from the

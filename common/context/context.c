@@ -65,8 +65,8 @@ bool gl_load(struct gl *gl, gl_function (*find)(const char *name))
                                      missing);
 }
 
-// The version is checked before the table is loaded, so that the message about an old driver names
-// its version, not the first function that it lacks.
+// The version is checked before the table of functions is loaded, so that the message about an old
+// driver names its version, not the first function that it lacks.
 static bool version_suffices(const struct context_driver *driver, char why[CONTEXT_WHY])
 {
     const GLubyte *(*get)(GLenum) = (const GLubyte *(*)(GLenum))driver->find("glGetString");
@@ -79,7 +79,8 @@ static bool version_suffices(const struct context_driver *driver, char why[CONTE
     return false;
 }
 
-// Take over a context that a driver made current if it is new enough; otherwise close it.
+// Take over the context that a driver has made current if its version suffices; otherwise close the
+// context.
 static bool take(struct context *context, const struct context_driver *driver, void *state,
                  char why[CONTEXT_WHY])
 {
@@ -98,8 +99,8 @@ static bool load(struct context *context)
     return false;
 }
 
-// If GALLIUM_DRIVER names a driver that Mesa does not have, Mesa may crash before it prints a
-// message.
+// Report a crash while the driver is opened: if GALLIUM_DRIVER names a driver that Mesa does not
+// have, Mesa may crash before it prints a message.
 static void guard_driver(const char *backend)
 {
     const char *name = getenv("GALLIUM_DRIVER");

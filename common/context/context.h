@@ -15,8 +15,9 @@ enum context_backend { CONTEXT_ANY, CONTEXT_GLFW, CONTEXT_EGL, CONTEXT_OSMESA };
 struct context_driver {
     enum context_backend backend;
     const char *name; // "glfw", "egl", "osmesa"
-    // Make a 3.3 core context current, with nothing on the screen. Returns the backend's own state,
-    // or NULL after writing one phrase to why: what was tried and what the library answered.
+    // Create a 3.3 core context without a visible window and make it current. Returns the backend's
+    // state, or NULL after writing a phrase to why, which says what was tried and what the library
+    // answered.
     void *(*open_offscreen)(char why[CONTEXT_WHY]);
     // Do the same with a visible, resizable window, whose handle is the state. A backend that
     // cannot open windows has NULL here.
@@ -35,7 +36,7 @@ struct GLFWwindow;
 
 struct context {
     const struct context_driver *driver;
-    void *state;               // the backend's own state, freed by context_close
+    void *state;               // the backend's state, freed by context_close
     struct GLFWwindow *window; // the visible window, or NULL if there is none
     struct gl gl;              // the functions of this context
 };
@@ -52,14 +53,14 @@ bool context_open_offscreen(struct context *context, enum context_backend wanted
 bool context_open_window(struct context *context, enum context_backend wanted, const char *title,
                          int width, int height);
 
-// Destroy a context that context_open_* made. A context of zeros is allowed.
+// Close a context that context_open_* opened. A zero-initialised context is allowed.
 void context_close(struct context *context);
 
 // Describe the context in one line of at most size bytes, such as
 // "egl (surfaceless), OpenGL 3.3 (Core Profile) Mesa 22.3.6, llvmpipe (...)".
 void context_describe(const struct context *context, char *text, size_t size);
 
-// Find the backend of a name from the command line. Returns false without reporting an error if the
+// Convert a name, such as "egl", to the backend. Returns false without reporting an error if the
 // name is unknown.
 bool context_backend_from_name(const char *name, enum context_backend *backend);
 

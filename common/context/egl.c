@@ -136,7 +136,7 @@ static bool try_platforms(struct egl_state *state, char why[CONTEXT_WHY])
 static void *open_offscreen(char why[CONTEXT_WHY])
 {
     struct egl_state *state = memory_zeros(1, sizeof *state);
-    // Otherwise Mesa prints messages about each platform that it cannot use.
+    // By default, Mesa prints messages about each platform that it cannot use.
     platform_set("EGL_LOG_LEVEL", "fatal", false);
     if (try_platforms(state, why))
         return state;

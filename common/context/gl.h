@@ -13,7 +13,7 @@
 // The beginning of a shader's text, the format of the driver's version, and the version that is
 // needed. A browser offers OpenGL ES, whose fragment shaders have no default precision for float
 // and sampler3D, and whose default precision for sampler2D is too low for a table of numbers.
-//   directives  preprocessor directives that must come first, each with its line end; may be ""
+//   directives  preprocessor directives that must come first, each ending in a newline; may be ""
 #ifdef __EMSCRIPTEN__
 #define GL_IS_ES 1
 #define GL_GLSL_WITH(directives)                                                                   \

@@ -52,7 +52,7 @@ static GLFWwindow *open_window(bool visible, const char *title, int width, int h
     // Without a depth buffer, llvmpipe copies frames into a window several times as fast.
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    // Where a screen coordinate is one pixel, GLFW enlarges a window on a high-density display.
+    // If a screen coordinate is one pixel, this hint enlarges a window on a high-density display.
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, visible ? GLFW_TRUE : GLFW_FALSE);
     GLFWwindow *window = glfwCreateWindow(width, height, title, NULL, NULL);
     if (window != NULL) {

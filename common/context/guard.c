@@ -6,7 +6,7 @@
 
 #include "platform.h"
 
-#define MEMORY_MOST 4e9 // further bytes that a driver may use to compile a shader
+#define MEMORY_MOST 4e9 // additional bytes that a driver may use to compile a shader
 
 static char message[1024]; // printed if the driver crashes
 
@@ -21,10 +21,10 @@ void guard_process(void)
 {
     // Mesa's shader cache is a file that is mapped into memory.
     platform_watch_lost_page(
-        "the graphics driver lost its memory: is the disk of its shader cache full? "
+        "the graphics driver lost its shader cache: is the disk of the cache full? "
         "set MESA_SHADER_CACHE_DISABLE=true\n");
     platform_watch_short_memory(
-        "the graphics driver crashed: this process may not have more memory: "
+        "the graphics driver crashed: the memory of this process is limited: "
         "raise the limit (ulimit -v)\n");
 }
 

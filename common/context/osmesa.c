@@ -7,8 +7,8 @@
 
 #include "memory.h"
 
-// The library is opened with dlopen, so that a program starts even where the library is missing.
-// These constants are copied from GL/osmesa.h, which would include GL/gl.h.
+// The library is opened with dlopen, so that a program starts even if the library is missing. These
+// constants are copied from GL/osmesa.h, which would include GL/gl.h.
 #define OSMESA_FORMAT                0x22
 #define OSMESA_DEPTH_BITS            0x30
 #define OSMESA_PROFILE               0x33
@@ -48,7 +48,7 @@ static bool open_library(char why[CONTEXT_WHY])
 }
 
 // Look up a function. ISO C has no conversion from void * to a function pointer, but POSIX
-// guarantees that both have the same representation, hence the copy.
+// guarantees that both have the same representation, so the bytes are copied.
 static bool look_up(const char *name, void *function, char why[CONTEXT_WHY])
 {
     void *symbol = dlsym(osmesa.library, name);

@@ -10,16 +10,16 @@
 // Sizes in cells. The baseline of a row's letters is LINE cells above the row's lower edge.
 enum { WIDTH = 48, ROW = 8, LINE = 2, DIGIT_WIDTH = 4, POINT_WIDTH = 2 };
 
-// Row 0 has the digits, the decimal point and the minus sign, each centred in its cells; every
-// other row has a word.
+// Row 0 of the table contains the digits, the decimal point and the minus sign, each centred in its
+// cells; every other row contains a word.
 static const uint32_t single[] = {'0', '1', '2', '3', '4', '5', '6', '7', '8', '9', '.', 0x2013};
 static const char *const words[] = {"t", "distance", "threshold", "hit", "miss", "given up"};
 
 enum { SINGLE = sizeof single / sizeof *single, ROWS = 1 + sizeof words / sizeof *words };
 
 // Copy a letter's image into the table.
-//   pixel  the table, the bottom row first, WIDTH * cell pixels wide
-//   pen    where the letter begins, pixels from the left
+//   pixel  the table, WIDTH * cell pixels wide, bottom row first
+//   pen    the letter's horizontal position, in pixels from the left
 //   line   the row of pixels just above the letter's baseline
 static void draw(unsigned char *pixel, int cell, struct letters *letters, uint32_t code, float pen,
                  int line)
@@ -36,13 +36,13 @@ static void draw(unsigned char *pixel, int cell, struct letters *letters, uint32
         }
 }
 
-// Draw the table: the fraction of each pixel that is covered, as a byte, bottom row first.
-// Returns WIDTH * cell by ROWS * ROW * cell bytes, owned by the caller.
+// Draw the table. Each byte is the covered fraction of a pixel, and the bottom row is first.
+// Returns WIDTH * cell by ROWS * ROW * cell bytes, which the caller frees.
 static unsigned char *draw_table(int cell)
 {
     struct letters letters = {0};
     unsigned char *pixel = memory_zeros((size_t)(WIDTH * cell), (size_t)(ROWS * ROW * cell));
-    const float capital = 7.3f; // units; see LETTERS_EM
+    const float capital = 7.3f; // height of a digit, units; see LETTERS_EM
     float scale = (float)(AXIS_LABELS_DIGIT * cell) / capital;
     letters_begin(&letters, scale);
     for (int i = 0; i < SINGLE; i++) {

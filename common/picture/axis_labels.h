@@ -1,5 +1,5 @@
-// axis_labels.h - the numbers and words that views write into a picture: the texture iSigns of
-// shaders/signs.glsl, in the overlay's font.
+// axis_labels.h - the digits and words that views write into a picture, in the overlay's font. They
+// are in the texture iSigns of shaders/signs.glsl.
 #ifndef AXIS_LABELS_H
 #define AXIS_LABELS_H
 
@@ -7,7 +7,7 @@
 
 #define AXIS_LABELS_DIGIT 5 // height of a digit, cells
 
-// A struct of zeros is empty.
+// A zero-initialised struct is empty.
 struct axis_labels {
     GLuint texture;
     int cell; // side of a cell, pixels
@@ -17,7 +17,7 @@ struct axis_labels {
 //   cell  side of a cell in pixels, at least 1
 void axis_labels_bind(struct axis_labels *labels, const struct gl *gl, int cell);
 
-// Free the texture. A struct of zeros is allowed.
+// Free the texture. A zero-initialised struct is allowed.
 void axis_labels_free(struct axis_labels *labels, const struct gl *gl);
 
 #endif

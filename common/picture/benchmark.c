@@ -130,8 +130,8 @@ static bool draw_frames(struct benchmark *benchmark, struct renderer *renderer,
 
 // ---- Evaluations ----
 
-// Draw the counts of all pixels, 4 numbers each, as shaders/main.glsl writes them: evaluations,
-// steps, the bound, and 1 if the pixel's march is compared with it.
+// Draw the counts of all pixels as shaders/main.glsl writes them, 4 numbers per pixel: evaluations,
+// steps of the first march, the lower bound, and 1 if that march is compared with the bound.
 static bool draw_counts(struct renderer *renderer, const struct renderer_inputs *inputs,
                         float *values)
 {
@@ -143,8 +143,8 @@ static bool draw_counts(struct renderer *renderer, const struct renderer_inputs 
 }
 
 // Compare the marches with the bounds.
-//   counts  drawn with the coarse pass, if there is one
-//   alone   drawn without the coarse pass; the bounds are taken from these
+//   counts  the counts with the coarse pass, if there is one
+//   alone   the counts without the coarse pass, from which the bounds are taken
 //   shared  evaluations of the coarse pass per pixel
 static struct benchmark_cover cover_of(const float *counts, const float *alone, double shared,
                                        size_t pixels)
@@ -178,7 +178,7 @@ static bool count_coarse(struct renderer *renderer, const struct renderer_inputs
     size_t pixels = (size_t)inputs->width * (size_t)inputs->height;
     size_t blocks = (size_t)renderer->coarse.width * (size_t)renderer->coarse.height;
     double sum = 0.0;
-    target_read(&renderer->coarse, renderer->gl, values); // has fewer texels than the picture
+    target_read(&renderer->coarse, renderer->gl, values); // fewer texels than the picture
     for (size_t i = 0; i < blocks; i++)
         sum += (double)values[4 * i + 1];
     *shared = sum / (double)pixels;

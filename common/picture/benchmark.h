@@ -16,7 +16,7 @@
 // The clocks that time a piece of work, in seconds.
 enum benchmark_clock {
     BENCHMARK_CPU,  // processor time of this process, in all its threads
-    BENCHMARK_WALL, // elapsed time, during which a person waits
+    BENCHMARK_WALL, // elapsed time, as a user experiences it
     BENCHMARK_GPU,  // GL_TIME_ELAPSED; 0 without a graphics card
     BENCHMARK_CLOCKS
 };
@@ -43,7 +43,7 @@ struct benchmark {
     // Set by benchmark_load and benchmark_run.
     char backend[512];                              // from context_describe
     bool has_gpu;                                   // the GPU's clock could be read
-    struct benchmark_span compile, first;           // with the drivers' caches switched off
+    struct benchmark_span compile, first;           // with the driver's caches switched off
     struct benchmark_span median, minimum, maximum; // over the timed frames, for each clock
     bool has_evaluations;                           // only the course's dialect counts them
     // Evaluations per pixel: the mean, which includes the coarse pass, and the 99th percentile and
@@ -56,23 +56,24 @@ struct benchmark_spread {
     double minimum, median, maximum;
 };
 
-// The spread of some values; the median of an even number of values is the mean of the middle two.
-//   values  an array of count values, at least 1, which the call sorts
+// Return the minimum, median and maximum of some values. The median of an even number of values is
+// the mean of the middle two.
+//   values  an array of count values, at least 1, which the function sorts
 struct benchmark_spread benchmark_spread_of(double *values, int count);
 
 // Call renderer_load, time the call, and return its result.
 bool benchmark_load(struct benchmark *benchmark, struct renderer *renderer,
                     struct shader_source *source, struct parameters *parameters);
 
-// Draw the warm-up frames and the timed frames; then count evaluations on the GPU.
+// Draw the warm-up frames and the timed frames, and then a picture that counts evaluations.
 //   benchmark  its shader, frames (at least 1) and inputs are set, and benchmark_load has run
 //   context    the renderer's context
 // Returns false after reporting the error.
 bool benchmark_run(struct benchmark *benchmark, const struct context *context,
                    struct renderer *renderer);
 
-// Print the results, as aligned text or as one JSON object with one name per line. Times are in
-// milliseconds. A number that was not measured is null in JSON; the text leaves it out, or has "-"
+// Print the results, as aligned text or as one JSON object with one member per line. Times are in
+// milliseconds. A number that was not measured is null in JSON; the text omits it, or shows "-"
 // instead of the evaluations.
 void benchmark_print(const struct benchmark *benchmark, bool json, FILE *file);
 

@@ -19,7 +19,7 @@ const char *comparison_side_name(struct renderer *renderer, int width, int x)
     return renderer_at(renderer, width, x) == renderer ? "left" : "right";
 }
 
-// True if one of the second's own settings, NAME=VALUE, sets the parameter of this name.
+// True if one of the second picture's settings, NAME=VALUE, sets the parameter with this name.
 static bool is_own(const struct comparison *comparison, const char *name)
 {
     size_t length = strlen(name);
@@ -29,13 +29,14 @@ static bool is_own(const struct comparison *comparison, const char *name)
     return false;
 }
 
-// The parameters of the second picture; NULL if there is no second picture.
+// Return the second picture's parameters, or NULL if there is no second picture.
 static const struct parameters *second_of(const struct renderer *renderer)
 {
     return renderer->comparison != NULL ? &renderer->comparison->other->parameters : NULL;
 }
 
-// The first picture's parameter that a parameter of the second follows; NULL if there is none.
+// Return the first picture's parameter that a parameter of the second picture follows, or NULL if
+// there is none.
 static const struct parameter *leader_of(const struct renderer *renderer,
                                          const struct parameter *to)
 {
@@ -124,8 +125,8 @@ static bool is_changed(const struct parameter *parameter)
     return false;
 }
 
-// True if a side's label shows this parameter: the second sets it itself, or only the second has
-// it, with a value other than that in its file.
+// True if a side's label shows this parameter: the second picture sets it itself, or only the
+// second picture has it and its value differs from the one in its file.
 static bool is_shown(const struct renderer *renderer, int side, const struct parameter *parameter)
 {
     if (is_own(renderer->comparison, parameter->name))
@@ -149,7 +150,7 @@ void comparison_text(const struct renderer *renderer, int side, char *text, size
     }
 }
 
-// If a text is wider than the room, shorten it and end it with an ellipsis.
+// Shorten text that is wider than the room, and end it with an ellipsis.
 static void fit(char *text, float room)
 {
     size_t length = strlen(text);
@@ -166,7 +167,7 @@ static void fit(char *text, float room)
 
 // Write one label.
 //   edge  the label's edge beside the divider, units
-//   room  units from that edge to the picture's edge
+//   room  distance from that edge to the picture's edge, units
 static void write_label(const struct renderer *renderer, struct overlay *overlay, int side,
                         float edge, float room, float top)
 {

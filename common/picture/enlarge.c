@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 static const char begin_text[] = GL_GLSL "uniform sampler2D picture;\n"
-                                         "uniform vec2 step;\n" // from pixel to pixel, in texels
+                                         "uniform vec2 step;\n" // a pixel's size in texels
                                          "out vec4 fragment;\n"
                                          "vec3 texel(int x, int y)\n"
                                          "{\n"
@@ -28,13 +28,14 @@ static const char bilinear_text[] = "vec3 filtered(ivec4 x, ivec4 y, vec2 f)\n"
                                     "    return mix(low, high, f.y);\n"
                                     "}\n";
 
-// For one of the 4 nearest texels, look adds the slope of the light, and a value that is 1 at a
-// single edge and 0 at a thin line, where the kernel must not be used. Both are multiplied by the
-// texel's bilinear weight. add adds one texel to the mean: its offset is rotated so that x points
-// up the slope and y along the edge, and scaled so that the kernel reaches about 4 texels along the
-// edge and at most about 2 across it. The kernel is (25/16 (2/5 r - 1)^2 - 9/16) (0.21 r - 1)^2,
-// where r is the length squared; it approximates the Lanczos kernel of order 2 without sines. Where
-// there is no single edge, the bilinear mean is used.
+// For one of the 4 nearest texels, look adds the slope of the light to slope, and adds to single a
+// value that is 1 at a single edge and 0 at a thin line, where the kernel must not be used. Both
+// are multiplied by the texel's bilinear weight. add adds one texel to the weighted mean: its
+// offset is rotated so that x points up the slope and y along the edge, and scaled so that the
+// kernel reaches about 4 texels along the edge and at most about 2 across it. The kernel is
+// (25/16 (2/5 r - 1)^2 - 9/16) (0.21 r - 1)^2, where r is the squared length of this offset; it
+// approximates the Lanczos kernel of order 2 without sines. Where there is no single edge, the
+// bilinear mean is used.
 static const char edge_text[] =
     "vec2 slope;\n"
     "float single;\n"

@@ -17,8 +17,9 @@
 // differ from their pictures at full resolution by 9.87 (bilinear) and 9.59 (edge) of 255, root
 // mean square; the outlines and shadows of chapter 03 differ by 8.20 and 7.38. At a quarter, the
 // outlines of chapter 21 have visible stairs with the bilinear filter. To fill 640x360 pixels on
-// llvmpipe, the filters take 0.16 and 0.48 of the time that drawing the annex scene takes. So a
-// window uses the edge filter, and the bilinear filter where the edge filter would take too long.
+// llvmpipe, the filters take 0.16 and 0.48 of the time that drawing the scene of the report's annex
+// takes. So a window uses the edge filter, and the bilinear filter where the edge filter would take
+// too long.
 //
 // Source: the edge filter follows the idea of EASU in AMD FidelityFX Super Resolution 1.0 (T.
 // Lottes, 2021).
@@ -31,7 +32,7 @@
 
 enum enlarge_filter { ENLARGE_BILINEAR, ENLARGE_EDGE, ENLARGE_FILTERS };
 
-// A struct of zeros is closed. A program is linked when it is first needed.
+// A zero-initialised struct is closed. A program is linked when it is first needed.
 struct enlarge {
     GLuint program[ENLARGE_FILTERS], vertex_array;
     GLint step[ENLARGE_FILTERS]; // location of the uniform step
@@ -41,15 +42,15 @@ struct enlarge {
 // Fill the framebuffer that is bound for drawing with a target's picture, clamped to [0, 1].
 //   target         the small picture, of any size
 //   width, height  size of the framebuffer, pixels
-// Returns false after reporting the error if the driver rejects the program or has no target for a
-// copy of the picture.
+// Returns false after reporting the error if the driver rejects the program or cannot create a
+// target for a copy of the picture.
 bool enlarge_draw(struct enlarge *enlarge, const struct gl *gl, enum enlarge_filter filter,
                   const struct target *target, int width, int height);
 
-// Free everything, in the same context. A struct of zeros is allowed.
+// Free everything, in the same context. A zero-initialised struct is allowed.
 void enlarge_close(struct enlarge *enlarge, const struct gl *gl);
 
-// The name of a filter, as `measure enlarge` prints it.
+// Return the name of a filter, as `measure enlarge` prints it.
 const char *enlarge_name(enum enlarge_filter filter);
 
 #endif

@@ -5,12 +5,12 @@
 
 #define POINTS  3      // points per handle: the handle itself, and one along either axis
 #define OFFSET  0.01f  // offset of the other two, as a fraction of the distance to the camera
-#define GRID    1000.0 // values per scene unit
+#define GRID    1000.0 // values are rounded to 1 / GRID scene units
 #define STEP    0.125  // longest step of Newton's method, as a fraction of the picture's height
-#define ROUNDS  24     // most steps of the method
+#define ROUNDS  24     // maximum number of steps
 #define ARRIVED 0.25   // distance from the pointer at which the method stops, pixels
 
-// The point of a handle in space.
+// Find a handle's position in space.
 static void point_of(const struct parameter *parameter, float point[3])
 {
     bool flat = parameter->components == 2, ground = parameter->handle == HANDLE_XZ;
@@ -40,7 +40,8 @@ static float offset_of(const float point[3], const struct camera *camera)
     return OFFSET * fmaxf(away, 0.1f);
 }
 
-// Find the pixels of points: x and y, then 1 if a ray passes through the point, otherwise 0.
+// Find the positions of points in the picture. pixel receives 4 numbers per point: x and y in
+// pixels; 1 if a ray passes through the point, otherwise 0; and 0.
 static bool find_pixels(struct renderer *renderer, const struct renderer_inputs *inputs, int count,
                         const float *point, float *pixel)
 {

@@ -5,7 +5,7 @@
 
 #include "picture/renderer.h"
 
-enum { HANDLES_MOST = 8 }; // most handles of one shader; further ones cannot be dragged
+enum { HANDLES_MOST = 8 }; // maximum number per shader; further handles cannot be dragged
 
 // A handle in a picture. Pixels are counted from the bottom left of the whole picture.
 struct handle {
@@ -18,9 +18,9 @@ struct handle {
 
 // Find the handles of a renderer's shader in a picture, whatever the shader's pixelRay.
 //   formula  shaders/projection.glsl finds the pixels of the points p, p + e a and p + e b, where a
-//   and
-//            b are the axes, and e is a hundredth of the distance to the camera; move is the
-//            difference divided by e, which is the derivative up to terms of order e
+//            and b are the axes, and e is a hundredth of the distance to the camera, but at least
+//            0.001; move is the difference divided by e, which is the derivative up to terms of
+//            order e
 // Returns the number of handles, or -1 after reporting the error.
 int handles_find(struct renderer *renderer, const struct renderer_inputs *inputs,
                  struct handle handle[HANDLES_MOST]);

@@ -1,5 +1,5 @@
-// image.h - 8-bit pictures in memory: written as RGB PNG files, and read from PNG files of any
-// kind.
+// image.h - 8-bit pictures in memory, which are written to RGB PNG files and read from PNG files of
+// any kind.
 #ifndef IMAGE_H
 #define IMAGE_H
 
@@ -19,7 +19,7 @@ struct image {
 // is short. Free it with image_free.
 bool image_create(struct image *image, int width, int height);
 
-// Free the pixels. An image of zeros is allowed.
+// Free the pixels. A zero-initialised struct is allowed.
 void image_free(struct image *image);
 
 // Store rows of colours as bytes: a channel v becomes floor(255 clamp(v, 0, 1) + 0.5), and a NaN
@@ -36,9 +36,9 @@ void image_store(struct image *image, const float *values, int bottom, int rows)
 // Returns false after reporting the error; then no new file is left, and the old one is unchanged.
 bool image_write_png(const struct image *image, const char *path);
 
-// Check before rendering whether image_write_png could write a file. Returns false after reporting
-// the error if not, for example because the folder is missing or write-protected, or because the
-// target is not a regular file.
+// Check before rendering whether image_write_png could write a file. If it could not, for example
+// because the folder is missing or write-protected, or because the target is not a regular file,
+// reports the error and returns false.
 bool image_check_target(const char *path);
 
 // The contents of a PNG.

@@ -26,9 +26,9 @@ static void on_png_warning(png_structp png, png_const_charp text)
     (void)png, (void)text;
 }
 
-// Read any kind of PNG as 8 bits per channel and the number of channels asked for, without applying
-// gamma. Texts and colour profiles are skipped, because libpng would allocate as much memory as a
-// damaged chunk claims to need, up to 2 GB. May exit through longjmp.
+// Read any kind of PNG as 8 bits per channel, with the requested number of channels, without
+// applying gamma. Text chunks and colour profiles are skipped, because libpng would allocate as
+// much memory as a damaged chunk claims to need, up to 2 GB. May exit through longjmp.
 static void read_pixels(png_structp png, png_infop info, struct image_bytes *bytes, size_t most)
 {
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, NULL, -1);

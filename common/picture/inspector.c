@@ -18,10 +18,10 @@ struct table {
     int rows, first; // number of rows, and the index of the first step
     bool titles;     // there are titles above the columns
     bool whole;      // the cost of the ray and its colour are included
-    float lines;     // lines of the whole table
+    float lines;     // number of lines of the whole table
 };
 
-// The row of the current step; -1 if there is none.
+// Return the row of the current step, or -1 if there is none.
 static int row_of(const struct inspector *inspector)
 {
     int last = probe_rows(inspector->probe) - 1;
@@ -51,7 +51,7 @@ static struct table table_of(const struct inspector *inspector, const struct ins
 
 // ---- Marks in the picture ----
 
-// The position of a pixel in units, from the top left.
+// Convert a position from pixels to units, from the picture's top left.
 static void position_of(const struct overlay *overlay, const float pixel[2], float position[2])
 {
     position[0] = pixel[0] / overlay->scale;
@@ -177,14 +177,14 @@ static void find_span(const struct overlay *overlay, const struct inspector *ins
             continue;
         position_of(overlay, probe->step[k].pixel, at);
         bool joined = k > 0 && probe->step[k - 1].seen;
-        for (int i = 1; i <= 32; i++) { // points of the line to this step
+        for (int i = 1; i <= 32; i++) { // points on the line to this step
             float share = joined ? (float)i / 32.0f : 1.0f;
             extend(span, left, right, before[0] + share * (at[0] - before[0]),
                    before[1] + share * (at[1] - before[1]));
         }
         memcpy(before, at, sizeof before);
     }
-    if (probe_rows(probe) == 0) { // no march
+    if (probe_rows(probe) == 0) { // the ray has no march
         position_of(overlay, pixel, at);
         extend(span, left, right, at[0], at[1]);
     }
@@ -238,7 +238,7 @@ static void write_step(struct pen *pen, const char *const cell[STEP_COLUMNS],
     pen->top += OVERLAY_LINE;
 }
 
-// The current row has a band and a mark, so that it differs not only in colour.
+// The current row has a band and a mark, so that it differs in more than its colour.
 static void write_steps(struct pen *pen, const struct inspector *inspector,
                         const struct table *table)
 {
@@ -273,7 +273,7 @@ static void write_cost(struct pen *pen, const struct probe *probe)
     pen_write(pen, text, PEN_PLAIN);
 }
 
-// The heading: the ray of the table, and the current step.
+// Write the heading, which names the ray and the current step.
 static void heading_of(const struct inspector *inspector, const struct table *table, char *text,
                        size_t size)
 {

@@ -15,7 +15,7 @@ struct inspector {
     const char *side;          // side of a comparison: "left" or "right"; NULL for a single picture
     float shown;               // number of steps shown, with a fraction of the next step; 0 for all
     enum shader_view view;
-    float middle; // in the slice and plot views: the row of pixels through the ray
+    float middle; // row of pixels through the ray, in the slice and plot views
 };
 
 // A rectangle of the picture, in units of the overlay from the picture's top left.
@@ -23,8 +23,8 @@ struct inspector_room {
     float left, top, right, bottom;
 };
 
-// A table as it was drawn: its edges, and its steps, one per line. A struct of zeros means that
-// there is no table.
+// A table as it was drawn: its edges, and its steps, one per line. If all members are 0, there is
+// no table.
 struct inspector_table {
     float left, top, right, bottom; // units, as in struct inspector_room
     float row;                      // the upper edge of the first step's line
@@ -41,12 +41,12 @@ bool inspector_table_at(const struct inspector_table *table, const float unit[2]
 // draw the ray themselves.
 void inspector_mark(struct overlay *overlay, const struct inspector *inspector);
 
-// The left edge, in units, of the panel on the right, which shows a march or the reason why there
-// is none.
+// Return the left edge, in units, of the panel on the right.
+//   marched  the panel shows a march; otherwise it shows the reason why there is none
 float inspector_left(const struct overlay *overlay, bool marched);
 
-// The vertical extent of the ray of a slice or plot, with its numbers: span[0] to span[1], in
-// units.
+// Find the vertical extent, span[0] to span[1] in units, of the ray of a slice or plot and its
+// numbers.
 //   middle  as in struct inspector
 void inspector_ray(const struct overlay *overlay, float middle, float span[2]);
 

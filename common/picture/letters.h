@@ -1,8 +1,8 @@
 // letters.h - the letters of the overlay: their widths, and the fraction of each pixel that they
 // cover.
 //
-// The font is part of the program (common/picture/font/), so a text looks the same on every
-// machine. Lengths are in units of the overlay.
+// The font is part of the program (common/picture/font/), so text looks the same on every machine.
+// Lengths are in units of the overlay.
 #ifndef LETTERS_H
 #define LETTERS_H
 
@@ -20,26 +20,28 @@ enum {
 // The TrueType file, which the Makefile turns into an array.
 extern const unsigned char letters_font[];
 
-// Read the next character of a text, and move text past it.
-//   text  UTF-8; must not be at its end
+// Read the next character of a string, and advance *text past it.
+//   text  UTF-8; must not be empty
 // Returns the character's code, but a space for a tab, and 0xFFFD, a question mark in a diamond,
 // for bytes that are not UTF-8 and for control characters.
 uint32_t letters_next(const char **text);
 
-// The distance from the beginning of a letter to that of the next one, in units, > 0.
+// Return the distance from the beginning of a letter to that of the next one, in units. It is
+// positive.
 float letters_advance(uint32_t code);
 
 // The image of a letter.
 struct letter {
-    int left, top;     // from the letter's origin on the baseline to the top left, pixels; y down
+    int left, top;     // offset of the top left from the origin on the baseline, pixels; y down
     int width, height; // pixels; 0 for a space
     int x, y;          // position of the image in the atlas, pixels
 };
 
-// An atlas of letters at one scale, each drawn when it is first needed. A struct of zeros is empty.
+// An atlas of letters at one scale, each drawn when it is first needed. A zero-initialised atlas is
+// empty.
 struct letters {
     float scale;          // pixels per unit
-    unsigned char *pixel; // owned: LETTERS_ROW x rows, row 0 on top; 255 where completely covered
+    unsigned char *pixel; // owned: LETTERS_ROW x rows bytes, row 0 at the top; 255 is fully covered
     int rows;
     bool grown;                  // images were added since the caller last set this to false
     struct letters_known *known; // owned
@@ -50,11 +52,11 @@ struct letters {
 // Choose a scale, in pixels per unit; images at another scale are discarded.
 void letters_begin(struct letters *letters, float scale);
 
-// The image of a letter that begins phase / LETTERS_PHASES of a pixel to the right of a pixel's
-// left edge. Valid until the next call.
+// Return the image of a letter that begins phase / LETTERS_PHASES of a pixel to the right of a
+// pixel's left edge. The image is valid until the next call.
 const struct letter *letters_find(struct letters *letters, uint32_t code, int phase);
 
-// Free the images. A struct of zeros is allowed.
+// Free the images. A zero-initialised struct is allowed.
 void letters_close(struct letters *letters);
 
 #endif

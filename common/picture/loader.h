@@ -7,7 +7,8 @@
 
 #include "picture/renderer.h"
 
-// The shader of one picture. The caller sets path, root and request. A loader of zeros is closed.
+// The shader of one picture. The caller sets path, root and request. A zero-initialised loader is
+// closed.
 struct loader {
     const char *path;              // the shader's file; not owned
     const char *root;              // the project's folder; not owned
@@ -17,12 +18,12 @@ struct loader {
     struct renderer renderer;
 };
 
-// Read the file and its parameters, and free those of an earlier call. The renderer does not
+// Read the file and its parameters, and free the results of an earlier call. The renderer does not
 // change.
 // Returns false after reporting the error.
 bool loader_read(struct loader *loader);
 
-// Let the driver begin to compile the shader that was read; the renderer must be open. shader_ready
+// Have the driver start compiling the shader that was read; the renderer must be open. shader_ready
 // tells when loader_compile no longer has to wait.
 void loader_begin(const struct loader *loader);
 
@@ -31,7 +32,7 @@ void loader_begin(const struct loader *loader);
 bool loader_compile(struct loader *loader);
 
 // Do the same as loader_compile, unless the renderer already has exactly this shader: then only
-// give the parameters that were read to the renderer, and link its view.
+// pass the parameters that were read to the renderer, and link its view.
 bool loader_update(struct loader *loader);
 
 // Free everything, and close the renderer. The context must be that in which the renderer was

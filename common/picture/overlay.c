@@ -18,7 +18,7 @@ struct shape {
 };
 
 // Vertices 0 to 3 are the corners of the rectangle of pixels that the shape may touch; for a line,
-// the rectangle lies along the line.
+// the rectangle is aligned with the line.
 static const char vertex_text[] =
     GL_GLSL "layout(location = 0) in vec4 ends;\n"
             "layout(location = 1) in vec3 kind;\n"
@@ -160,8 +160,8 @@ void overlay_text(struct overlay *overlay, float left, float top, const char *te
     }
 }
 
-// The shape of a rectangle. A letter begins at the nearest quarter of a pixel, and its baseline is
-// at a whole pixel.
+// Convert a rectangle to a shape. A letter begins at the nearest quarter of a pixel, and its
+// baseline is at a whole pixel.
 //   up  pixels from the target's bottom edge to the picture's top
 static struct shape shape_of(const struct overlay *overlay,
                              const struct overlay_rectangle *rectangle, float up)

@@ -1,6 +1,6 @@
 // overlay.h - text, boxes and lines over a picture.
 //
-// A frame starts with overlay_begin, collects boxes, texts and lines, and is drawn as often as
+// A frame starts with overlay_begin, collects boxes, text and lines, and is drawn as often as
 // needed. Positions are in units, from the picture's top left, y down. The scale is the number of
 // pixels per unit.
 #ifndef OVERLAY_H
@@ -13,7 +13,7 @@
 #include "picture/letters.h"
 
 #define OVERLAY_LINE          12.0f // units from one line of text to the next
-#define OVERLAY_TEXT          200   // most bytes of one line of text; the rest is left out
+#define OVERLAY_TEXT          200   // maximum bytes in a line of text; the rest is left out
 #define OVERLAY_SCALE_MINIMUM 0.5
 #define OVERLAY_SCALE_MAXIMUM 8.0
 
@@ -46,11 +46,11 @@ struct overlay {
 // Returns false after reporting the error. Close with overlay_close in the same context.
 bool overlay_open(struct overlay *overlay, const struct gl *gl);
 
-// Free everything. An overlay of zeros is allowed.
+// Free everything. A zero-initialised overlay is allowed.
 void overlay_close(struct overlay *overlay);
 
-// The default scale of a picture of this height in pixels: 1 up to 480, and 0.5 more for each
-// further 180 pixels or part of them, but at most OVERLAY_SCALE_MAXIMUM.
+// Return the default scale for a picture of this height in pixels: 1 up to 480 pixels, and 0.5 more
+// for each further 180 pixels or part of them, but at most OVERLAY_SCALE_MAXIMUM.
 float overlay_scale_of(int height);
 
 // Start an empty frame.
@@ -70,7 +70,7 @@ void overlay_text(struct overlay *overlay, float left, float top, const char *te
 void overlay_line(struct overlay *overlay, const float from[2], const float to[2], float width,
                   struct overlay_colour colour);
 
-// The width of a line of text in units.
+// Return the width of a line of text in units.
 float overlay_width(const char *text);
 
 // Blend the frame over the framebuffer that is bound for drawing, which contains the rows

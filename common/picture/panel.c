@@ -11,8 +11,8 @@
 
 #define GAP       12.0f  // distance between keys, units of the overlay
 #define LEGEND    18.0f  // top of the step view's legend, in cells, as in views.glsl
-#define TIP_WIDTH 170.0f // largest width of the help, units
-// The lower edge of the title's panel plus a margin; panels at the bottom stay below this.
+#define TIP_WIDTH 170.0f // maximum width of the tooltip, units
+// The lower edge of the title's panel plus a margin; panels at the bottom stay below this position.
 #define BELOW_TITLE (2.0f * (PEN_MARGIN + PEN_PADDING) + OVERLAY_LINE - 2.0f)
 
 // ---- Error ----
@@ -22,7 +22,8 @@ static float widest_text(const struct overlay *overlay)
     return pen_picture_width(overlay) - 2.0f * (PEN_MARGIN + PEN_PADDING);
 }
 
-// The error or, if there is none, the note on an input without a value; "" if there is neither.
+// Return the error or, if there is none and the panel is not folded, the note on an input without a
+// value. Returns "" if neither is shown.
 static const char *words_of(const struct panel *panel)
 {
     if (panel->error != NULL && panel->error[0] != '\0')
@@ -30,7 +31,8 @@ static const char *words_of(const struct panel *panel)
     return panel->unset != NULL && !panel->folded ? panel->unset : "";
 }
 
-// The number of lines of the error that are shown. They fill at most half of the picture's height.
+// Return the number of lines of the error that are shown. They fill at most half of the picture's
+// height.
 static int error_lines(const struct panel *panel, const struct overlay *overlay)
 {
     char line[OVERLAY_TEXT + 1];
@@ -41,7 +43,7 @@ static int error_lines(const struct panel *panel, const struct overlay *overlay)
     return lines;
 }
 
-// The height of the error's panel with its heading; 0 if there is no panel.
+// Return the height of the error's panel with its heading, or 0 if there is no such panel.
 static float error_height(const struct panel *panel, const struct overlay *overlay)
 {
     if (words_of(panel)[0] == '\0' || panel->bare)
@@ -75,8 +77,8 @@ static float write_error(const struct panel *panel, struct overlay *overlay, flo
 
 // ---- Keys ----
 
-// Lay the keys out in lines of limited width.
-//   pen     where to draw them; NULL to measure only
+// Lay out the keys in lines of limited width.
+//   pen     the pen to draw with; NULL to measure only
 //   widest  receives the width of the longest line
 // Returns the number of lines.
 static int lay_keys(const struct panel *panel, const struct pen *pen, float limit, float *widest)
@@ -143,7 +145,7 @@ static float write_keys(const struct panel *panel, struct overlay *overlay, floa
 
 // ---- Help ----
 
-// Draw the help for the row under the pointer, beside the panel if there is room, otherwise below
+// Draw the tooltip of the row under the pointer, beside the panel if there is room, otherwise below
 // the row or above it.
 static void write_tip(const struct panel *panel, const struct panel_rows *rows,
                       struct overlay *overlay)
@@ -171,7 +173,7 @@ static void write_tip(const struct panel *panel, const struct panel_rows *rows,
     if (!beside && top > lowest)
         top = row->top - height - edge - 4.0f;
     top = fmaxf(0.0f, top < lowest ? top : lowest);
-    // The help may cover text of the panel, so its background is darker.
+    // The tooltip may cover text of the panel, so its background is darker than the panel's.
     overlay_box(overlay, left, top, ceilf(widest) + edge, height + edge, PEN_DARK);
     struct pen pen = pen_open(overlay, left, top, ceilf(widest), height);
     for (const char *at = text; pen_next_line(&at, limit, line);)

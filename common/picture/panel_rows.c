@@ -24,8 +24,8 @@ static struct panel_row *add(struct panel_rows *rows, enum panel_row_kind kind, 
     return row;
 }
 
-// Add the hour of the day, which the picture's time determines if there are parameters with both of
-// the units below.
+// Append the hour of the day if there is a parameter with each of the units below. The hour follows
+// from these parameters and the picture's time.
 static void add_hour(const struct panel *panel, char text[PANEL_CELL])
 {
     const struct parameters *all = &panel->renderer->parameters;
@@ -81,8 +81,8 @@ static void add_buttons(struct panel_rows *rows, const struct panel *panel)
     snprintf(row->cell[PANEL_HIDE], PANEL_CELL, "hide");
 }
 
-// With two slices or plots, say that each side shows its own march, and whose march is in the
-// table.
+// For two slices or plots, write that each side shows its own march, and which side's march is in
+// the table.
 static void marches_text(const struct panel *panel, char text[PANEL_CELL])
 {
     bool two = panel->renderer->comparison != NULL && shader_shows_ray(panel->renderer->view);
@@ -92,7 +92,7 @@ static void marches_text(const struct panel *panel, char text[PANEL_CELL])
              two && table ? "; table: " : "", two && table ? side : "");
 }
 
-// Add the last rows: the textures, the buttons, the hint, and the resolution of a coarse picture.
+// Add the last rows: the textures, the buttons, the hint, and the resolution while it is reduced.
 static void add_last(struct panel_rows *rows, const struct panel *panel)
 {
     const struct textures *textures = &panel->renderer->textures;
@@ -197,7 +197,8 @@ static float height_of_panel(const struct panel_rows *rows)
 }
 
 // Keep as many of the parameters' rows, [first, end), as fit. The selected parameter stays visible,
-// with all its rows if there is room. One more row says which parameters are shown.
+// with all its rows if there is room. If rows are left out, one more row says which parameters are
+// shown.
 //   parameters  the total number of parameters
 static void cut(struct panel_rows *rows, int first, int end, float bottom, int parameters)
 {
@@ -230,8 +231,8 @@ static void cut(struct panel_rows *rows, int first, int end, float bottom, int p
     rows->count -= count - room - 1;
 }
 
-// The width of the table's first columns, or of the widest detail below one of its rows if that is
-// wider.
+// Measure the table's first columns. Returns the width of the table, including the details below
+// its rows unless all columns are shown.
 static float measure_table(const struct panel *panel, int columns, float width[PANEL_COLUMNS])
 {
     const struct parameter *parameter;
@@ -261,8 +262,8 @@ static float in_steps(float width)
     return 20.0f * ceilf(width / 20.0f);
 }
 
-// The width of the texts, rounded up in steps, so that the panel keeps its width when a number
-// changes.
+// Return the width of the text and the buttons, rounded up to a multiple of 20 units, so that the
+// panel keeps its width when a number changes.
 static float measure_texts(const struct panel_rows *rows)
 {
     float texts = 0.0f;

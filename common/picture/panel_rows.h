@@ -1,5 +1,5 @@
 // panel_rows.h - the contents of the panel, and its rows, which are built, measured and then drawn.
-// The pointer is looked up in the same rows that are drawn.
+// The row under the pointer is looked up among the rows that are drawn.
 #ifndef PANEL_ROWS_H
 #define PANEL_ROWS_H
 
@@ -17,14 +17,14 @@ struct panel_rows; // defined below
 struct picker;
 struct inspector_table;
 
-// The contents of the panel. A member that is NULL, 0 or "" leaves its part out.
+// The contents of the panel. If a member is NULL, 0 or "", its part is left out.
 struct panel {
     const char *title;                // the chapter's title
-    const struct renderer *renderer;  // has the view and the parameters
+    const struct renderer *renderer;  // contains the view and the parameters
     const struct parameter *selected; // the selected parameter, which the arrow keys change
     double rate, milliseconds;        // frames per second, and the duration of one frame
     double time;                      // seconds
-    int resolution; // percent of each side at which the picture is drawn; 0 means 100
+    int resolution; // the drawn picture's sides, in percent of full size; 0 means 100
     int sharp;      // percent of the picture that is already sharp
     bool timed;     // the picture depends on the time
     bool paused;
@@ -35,27 +35,27 @@ struct panel {
     bool ranges;             // show the range and unit of all parameters, if there is room
     // Hide the panel, the keys, the note on inputs and, in a slice or plot, the ray's march.
     bool folded;
-    bool bare;               // hide all text but a comparison's labels; a web page shows the rest
+    bool bare;               // hide the error and the ray's march, because a web page shows both
     bool right;              // the panel is at the right edge
     bool rolled;             // the panel shows only its title
     bool refused;            // tip says why the typed value is rejected
     const char *typed;       // text that replaces the selected parameter's value
-    const char *tip;         // the help for the row under the pointer
+    const char *tip;         // the tooltip of the row under the pointer
     int typed_part;          // the component that is typed; -1 for all
-    float tip_at[2];         // the pointer, units from the picture's top left
-    struct panel_rows *rows; // receives the rows, if there is a pointer
-    struct inspector_table *table; // receives the lines of the ray's march; may be NULL
+    float tip_at[2];         // the pointer's position, units from the picture's top left
+    struct panel_rows *rows; // receives the rows; NULL if there is no pointer
+    struct inspector_table *table; // receives the table of the ray's march; may be NULL
     struct picker *picker; // the selected colour's picker, to be placed and drawn; NULL if closed
-    const char *hint;      // what the main keys do, in one line
+    const char *hint;      // one line about the main keys
     const char *caption;   // caption of a lecture, shown at the bottom
     const struct panel_key *keys;
     int key_count;
     int pixel[2];              // the selected ray's pixel, 0,0 bottom left; -1,-1 if there is none
     const char *side;          // the ray's side of a comparison: "left" or "right"
-    float shown;               // number of steps of the ray, as in renderer_inputs
-    const struct probe *probe; // the ray's march; NULL if why says why there is none
+    float shown;               // number of steps shown, as in renderer_inputs
+    const struct probe *probe; // the ray's march, or NULL; then why gives the reason
     const char *why;
-    const char *error; // lines that end with '\n'
+    const char *error; // the lines of the error, each ending in '\n'
     bool broken;       // the error comes from a reload, otherwise from a view
     const char *unset; // a note on an input that nothing sets, shown if there is no error
 };
@@ -83,7 +83,7 @@ enum panel_button { PANEL_PAUSE, PANEL_STEP_BACK, PANEL_STEP_ON, PANEL_HIDE };
 // One row, in units of the overlay from the picture's top left.
 struct panel_row {
     enum panel_row_kind kind;
-    char cell[PANEL_COLUMNS][PANEL_CELL]; // name, value, range and unit of a parameter; or a text
+    char cell[PANEL_COLUMNS][PANEL_CELL]; // name, value, range and unit of a parameter; or text
     int parameter;                        // index for comparison_parameter; -1 if there is none
     int part;                             // index of a component or a view; -1 for all components
     bool selected;                        // part of the selected parameter, or the current view
@@ -93,7 +93,7 @@ struct panel_row {
     float left, top, width, height;
 };
 
-// A struct of zeros has no rows.
+// A zero-initialised struct has no rows.
 struct panel_rows {
     struct panel_row *row; // owned
     int count;
@@ -104,7 +104,7 @@ struct panel_rows {
 
 // Build and measure the rows of a panel, leaving out those for which there is no room. Earlier rows
 // are discarded.
-//   limit   greatest width of the text, units, if two columns fit into it
+//   limit   maximum width of the text, units, unless two columns are wider
 //   bottom  lowest position of the panel's lower edge, units
 // Free with panel_rows_free.
 void panel_rows_build(struct panel_rows *rows, const struct panel *panel, float limit,
@@ -117,16 +117,17 @@ void panel_rows_move(struct panel_rows *rows, float left, float top);
 void panel_rows_draw(const struct panel_rows *rows, const struct panel *panel,
                      struct overlay *overlay);
 
-// The row at a point in units; NULL if there is none.
+// Return the row at a point in units, or NULL if there is none.
 const struct panel_row *panel_rows_at(const struct panel_rows *rows, float x, float y);
 
 // True if a point is in the panel, including its edges.
 bool panel_rows_hold(const struct panel_rows *rows, float x, float y);
 
-// The button at a position in the row of buttons: an enum panel_button; -1 if there is none.
+// Return the button at a position in the row of buttons, an enum panel_button, or -1 if there is
+// none.
 int panel_row_button(const struct panel_row *row, float x);
 
-// The distance of a button from the row's left, units.
+// Return the distance of a button from the row's left, in units.
 float panel_row_button_left(const struct panel_row *row, int button);
 
 // True if x is on the mark of the title, which folds the panel.

@@ -8,8 +8,8 @@
 static const struct overlay_colour BAR = {{96, 160, 224, 84}};
 static const struct overlay_colour FIELD = {{0, 0, 0, 230}};
 
-// The selected parameter has a band and a mark, so that it differs not only in colour. If there is
-// a pointer, a bar shows the position of the value in its range.
+// The selected parameter has a band and a mark, so that it differs in more than its colour. If
+// there is a pointer, a bar shows the position of the value in its range.
 static void draw_band(const struct panel_row *row, bool pointer, struct overlay *overlay)
 {
     if (row->selected)

@@ -1,4 +1,4 @@
-// pen.h - the look of the panels over a picture: colours, edges, lines of text.
+// pen.h - the look of the panels over a picture: colours, margins, lines of text.
 // Lengths are in units of the overlay.
 #ifndef PEN_H
 #define PEN_H
@@ -24,23 +24,23 @@ struct pen {
     float left, top;
 };
 
-// The size of the picture, and the lowest position of a panel's lower edge: in a slice or plot,
-// this is above the axis.
+// Return the width of the picture, its height, and the lowest position of a panel's lower edge,
+// which is above the axis in a slice or plot.
 float pen_picture_width(const struct overlay *overlay);
 float pen_picture_height(const struct overlay *overlay);
 float pen_foot(const struct overlay *overlay, enum shader_view view);
 
-// Draw a panel's background around a text of this size. Returns a pen at the first line.
+// Draw a panel's background around text of this size. Returns a pen at the first line.
 struct pen pen_open(struct overlay *overlay, float left, float top, float width, float height);
 
 // Write a line of text, or draw a rule of this width, and move the pen below the line or rule.
 void pen_write(struct pen *pen, const char *text, struct overlay_colour colour);
 void pen_rule(struct pen *pen, float width);
 
-// Copy the next line of a text, and move text past this line. The line has as many words as fit; if
-// not even one word fits, it has as many letters as fit, but at least one.
+// Copy the next line of a string, and advance *text past it. The line ends at a newline, or has as
+// many words as fit; if not even one word fits, it has as many letters as fit, but at least one.
 //   limit  width of the line, units
-// Returns false at the end of the text.
+// Returns false at the end of the string.
 bool pen_next_line(const char **text, float limit, char line[OVERLAY_TEXT + 1]);
 
 #endif

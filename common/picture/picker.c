@@ -168,7 +168,7 @@ static void draw_square(const struct picker *picker, struct overlay *overlay)
                     shown(1.0 - (i + 0.5) / count, 1.0, 1.0));
 }
 
-// Draw a ring around the colour, dark and bright, and a line at its hue.
+// Draw a bright ring with dark edges around the colour, and a line at its hue.
 static void draw_marks(const struct picker *picker, struct overlay *overlay)
 {
     float left = picker->left + PEN_PADDING, top = picker->top + PEN_PADDING, side = picker->side;
@@ -186,7 +186,7 @@ void picker_draw(const struct picker *picker, struct overlay *overlay)
 {
     if (picker->width <= 0.0f)
         return;
-    // The picker may cover text of the panel, so its background is darker.
+    // The picker may cover text of the panel, so its background is darker than the panel's.
     overlay_box(overlay, picker->left, picker->top, picker->width, picker->height, PEN_DARK);
     pen_open(overlay, picker->left, picker->top, picker->width - 2.0f * PEN_PADDING,
              picker->height - 2.0f * PEN_PADDING);

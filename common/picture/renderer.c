@@ -7,7 +7,7 @@
 
 #include "report.h"
 
-// One draw call covers a tile, small enough that no single draw occupies a GPU for seconds.
+// Each draw call covers one tile, which is so small that no draw call occupies a GPU for seconds.
 #define TILE 512 // pixels
 
 // A picture for a file is drawn in bands of at most this many pixels, so that the float target
@@ -111,9 +111,9 @@ struct renderer *renderer_at(struct renderer *renderer, int width, int x)
     return x < renderer_split(renderer, width) ? renderer : renderer->comparison->other;
 }
 
-// Draw all samples of the tile in the scissor, averaged by blending, which adds sample / count.
-// Sample (i, j) of n x n lies at ((i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5) from the pixel's
-// centre, so a single sample is the centre and the picture does not shift with n.
+// Draw all samples of the tile that the scissor selects. Blending averages the samples: it adds
+// sample / count. Sample (i, j) of n x n is at ((i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5) from the
+// pixel's centre, so a single sample is at the centre, and the picture does not shift with n.
 static void draw_samples(const struct renderer *renderer, int samples, int bottom)
 {
     for (int k = 0; k < samples * samples; k++) {
@@ -125,7 +125,7 @@ static void draw_samples(const struct renderer *renderer, int samples, int botto
     }
 }
 
-// The part of a picture that one call draws.
+// The part of a picture that one call of draw_sides draws.
 struct part {
     struct target *target;
     int bottom, height;      // the rows of the picture that the target contains
@@ -133,10 +133,10 @@ struct part {
     int left, right;         // the columns that are drawn
     bool fresh;              // the target is cleared first
     struct march *shared;    // march of a comparison's first side, whose frame both slices use
-    struct renderer *beside; // the comparison's other side, which must fit into a plot's frame too
+    struct renderer *beside; // the comparison's other side, which must also fit into a plot's frame
 };
 
-// Use the frame of the comparison's first side, which is drawn first and stores its frame in
+// Use the frame of the comparison's first side, which is drawn first and stores its march in
 // shared.
 static void share_frame(struct march *march, struct march *shared)
 {
@@ -148,7 +148,8 @@ static void share_frame(struct march *march, struct march *shared)
     march->plot = shared->plot;
 }
 
-// If the view writes numbers and words, bind their texture after the shader's own textures.
+// If the view writes numbers and words, bind their texture to the unit after those of the shader's
+// textures.
 static void set_labels(struct renderer *renderer, const struct renderer_inputs *inputs)
 {
     const struct gl *gl = renderer->gl;
@@ -188,8 +189,8 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *a
         renderer_set_steps(renderer, &march);
     if (part->fresh)
         renderer_clear(gl);
-    // The viewport is the whole picture, whatever part the target contains, so the triangle never
-    // changes.
+    // The viewport covers the whole picture, whatever part the target contains, so the triangle
+    // never changes.
     gl->Viewport(0, -part->bottom, inputs->width, inputs->height);
     gl->Enable(GL_SCISSOR_TEST);
     for (int y = part->from; y < part->to; y += TILE)
@@ -261,8 +262,8 @@ void renderer_present_sharp(struct renderer *renderer, int from, int rows)
     copy_rows(renderer->gl, &renderer->sharp, from, rows);
 }
 
-// The number of rows in a band: all rows, or an even number, because drivers compute derivatives in
-// squares of two by two pixels.
+// Return the number of rows in a band: all rows, or an even number, because drivers compute
+// derivatives in blocks of two by two pixels.
 static int rows_of_band(const struct renderer_inputs *inputs)
 {
     int band = BAND_PIXELS / inputs->width / 2 * 2;

@@ -1,7 +1,7 @@
 // renderer.h - draws pictures with linked programs: one full-screen triangle, into a float target.
 //
 // renderer.c draws pictures, renderer_ray.c computes the march of one ray, and renderer_pass.c
-// links programs and makes single draws.
+// links programs and issues single draw calls.
 #ifndef RENDERER_H
 #define RENDERER_H
 
@@ -20,7 +20,7 @@
 #include "shader/parameter.h"
 
 #define RENDERER_FOCAL_LENGTH 1.0f // for shaders that do not declare focalLength
-#define RENDERER_STEPS        64   // most steps that a picture can read, as in shaders/marched.glsl
+#define RENDERER_STEPS        64   // maximum steps a picture can read; see shaders/marched.glsl
 
 // The parameters that describe a camera's lens: focalLength and orthographic.
 enum { RENDERER_LENSES = 2 };
@@ -29,11 +29,11 @@ extern const char *const renderer_lens[RENDERER_LENSES];
 // The camera from which rays start, and its lens.
 struct renderer_eye {
     struct camera camera;
-    double lens[RENDERER_LENSES]; // values of the parameters renderer_lens
+    double lens[RENDERER_LENSES]; // values of the parameters named in renderer_lens
 };
 
-// Everything that a picture depends on besides the shader and its parameters. Times come from here,
-// never from a clock, so the same inputs give the same picture.
+// Everything that a picture depends on, apart from the shader and its parameters. Times come from
+// here, never from a clock, so the same inputs give the same picture.
 struct renderer_inputs {
     int width, height; // size of the whole picture, pixels
     struct camera camera;
@@ -44,11 +44,11 @@ struct renderer_inputs {
     float mouse[4];    // Shadertoy's iMouse; zeros for a picture in a file
     float date[4];     // Shadertoy's iDate: year, month from 0, day, seconds of the day
     int samples;       // samples along each side of a pixel
-    float digits; // least height of a figure's digits, pixels; 0 if the picture's height decides
+    float digits;      // minimum height of a figure's digits, pixels; 0 for no minimum
     // The selected ray's pixel, 0,0 at the bottom left; -1,-1 if no ray is selected, so that a
     // slice shows the ray in the middle.
     int pixel[2];
-    const struct renderer_eye *eye; // where the selected ray starts; NULL for the camera
+    const struct renderer_eye *eye; // the selected ray's eye; NULL for the picture's
     const double *lens; // replaces the values of renderer_lens; NULL keeps the parameters' values
     const struct strokes *strokes; // the strokes on the chapter's volume; NULL if there are none
     float zoom;                    // magnification of the slice view; 1 or 0 for the whole march
@@ -58,12 +58,12 @@ struct renderer_inputs {
 };
 
 // Two pictures side by side: a divider separates the columns of the first from those of the second.
-// Both have the same camera, time, view and samples. The second follows the first's parameters,
-// except those that it sets itself.
+// Both have the same camera, time, view and samples. The second picture follows the parameters of
+// the first, except those that it sets itself.
 struct comparison {
     struct renderer *other; // draws the second picture; its comparison is NULL. Not owned
-    double divider;         // fraction of the width that the first picture takes, 0 to 1
-    const char *const *own; // NAME=VALUE: the parameters that the second sets itself. Not owned
+    double divider;         // fraction of the width that belongs to the first picture, 0 to 1
+    const char *const *own; // NAME=VALUE: parameters that the second picture sets itself. Not owned
     int own_count;
     const char *label[2]; // the pictures' names; NULL if the parameters tell them apart. Not owned
     bool gripped;         // the divider can be dragged, and shows a grip
@@ -117,26 +117,26 @@ struct renderer {
     float focal_length;                   // for shaders that do not declare focalLength
     double orthographic;                  // the input OrthoView: 0 perspective, 1 orthographic
     GLuint program[SHADER_PROGRAM_COUNT]; // one per view, linked when first needed
-    // The locations of each program's uniforms: first renderer_uniform, then those of inputs,
-    // parameters and textures; owned.
+    // The locations of each program's uniforms: first those of enum renderer_uniform, then those of
+    // the inputs, parameters and textures. Owned.
     GLint *location[SHADER_PROGRAM_COUNT];
     const GLint *used; // locations of the program in use
     GLuint vertex_array;
     struct target picture;
     struct target sharp;           // a window's picture that is drawn over several frames
     struct target table;           // a probe's table, one column per step; the slice view reads it
-    struct target single;          // drawn in one pixel only: a probe's colour or the camera's room
-    struct target projected;       // where the steps of a ray are in the picture
-    struct target points;          // where the handles are in the picture
+    struct target single;          // one pixel is drawn: a probe's colour or cameraStop's result
+    struct target projected;       // the positions of a ray's steps in the picture
+    struct target points;          // the positions of the handles in the picture
     struct target coarse;          // the result of the coarse pass, one texel per block
     struct enlarge enlarge;        // shows a small picture in a large window
     struct comparison *comparison; // not owned; NULL for a single picture
-    const struct overlay *overlay; // drawn over every written picture; not owned; may be NULL
+    const struct overlay *overlay; // drawn over every picture for a file; not owned; may be NULL
 };
 
 // ---- Open, load, close ----
 
-// Make the triangle's vertex array and read shaders/screen.vert.
+// Create the triangle's vertex array and the targets, and read shaders/screen.vert.
 //   gl, root  must outlive the renderer
 // Returns false after reporting the error. Close with renderer_close in the same context.
 bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *root);
@@ -165,7 +165,7 @@ bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inpu
                    int rows);
 
 // Draw rows [from, from + rows) of the picture into the target sharp, which keeps its other rows
-// while the picture's size stays the same. The top rows must come first, because drawing them
+// while the picture's size stays the same. The top rows must be drawn first, because drawing them
 // clears the target. The rows are bit-for-bit identical to those of renderer_draw. Returns false
 // after reporting the error.
 bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int from,
@@ -198,14 +198,14 @@ struct renderer *renderer_at(struct renderer *renderer, int width, int x);
 
 // ---- The march of one ray ----
 
-// The eye of a picture, from which its rays start. A selected ray keeps the eye with which it was
-// selected, so that the ray does not move in space when the camera moves on.
+// Return the eye of a picture, from which its rays start. A selected ray keeps the eye with which
+// it was selected, so that the ray does not move in space when the camera moves on.
 struct renderer_eye renderer_eye_of(const struct renderer *renderer,
                                     const struct renderer_inputs *inputs);
 
 // March the ray of pixel (x, y), 0,0 at the bottom left, from inputs->eye. Read back every step,
 // with its position in the picture, and the pixel's colour in the current view or, if that is the
-// slice or the plot, in the picture. For a file with its own main, only the colour is known.
+// slice or the plot, in the picture view. For a file with its own main, only the colour is known.
 // Returns false after reporting the error if the driver fails.
 bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
                     struct probe *probe);
@@ -221,16 +221,16 @@ struct march {
     float step[RENDERER_STEPS][2]; // t and distance of the first steps
 };
 
-// The inputs of the same picture, seen from the eye of the selected ray.
+// Return the inputs of the same picture, seen from the eye of the selected ray.
 struct renderer_inputs renderer_from_eye(const struct renderer_inputs *inputs);
 
-// March the ray of pixel (x, y), whose steps stay in renderer->table.
+// March the ray of pixel (x, y). Its steps stay in renderer->table.
 // Returns false after reporting the error.
 bool renderer_march(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
                     struct probe *probe);
 
 // March the selected ray, or the middle one if none is selected, and find the frame that shows it.
-//   beside  a second renderer, whose distances a plot must have room for too; NULL if there is none
+//   beside  a second renderer, whose distances must also fit into a plot; NULL if there is none
 // Returns false after reporting the error.
 bool renderer_march_selected(struct renderer *renderer, struct renderer *beside,
                              const struct renderer_inputs *inputs, struct march *march);
@@ -258,12 +258,12 @@ bool renderer_link(struct renderer *renderer, enum shader_view view);
 void renderer_unlink(struct renderer *renderer);
 
 // True if a linked view of a course shader uses a uniform: the linker keeps only the uniforms that
-// are used. Always false in other dialects, where a uniform of this name belongs to the author.
+// are used. Always false in other dialects, where a uniform of this name belongs to the shader's
+// author.
 bool renderer_reads(const struct renderer *renderer, enum shader_view view,
                     enum renderer_uniform uniform);
 
-// Carry out the strokes that the texture does not have yet. Returns false after reporting the
-// error.
+// Apply the strokes that the texture does not contain yet. Returns false after reporting the error.
 bool renderer_sculpt(struct renderer *renderer, const struct renderer_inputs *inputs);
 
 // Use a linked view, and set everything that is the same for all tiles and samples of a picture,
@@ -272,12 +272,12 @@ void renderer_use(struct renderer *renderer, const struct renderer_inputs *input
                   enum shader_view view);
 
 // Set the whole target to 0. This is needed before the first draw of a picture, because a shader
-// may discard its pixel, and blending multiplies the old value by 0, which keeps a NaN. Call it
-// without a scissor: to clear part of a target, llvmpipe compiles programs, which takes as long as
-// compiling a small shader.
+// may discard its pixel, and blending multiplies the old value by 0, which keeps a NaN. Call this
+// function without a scissor, because llvmpipe compiles programs to clear part of a target, which
+// takes as long as compiling a small shader.
 void renderer_clear(const struct gl *gl);
 
-// One sample of the pixels of a draw.
+// One sample of each pixel in a draw call.
 struct renderer_sample {
     int number, count; // the sample's index, from 0, and the number of samples
     float jitter[2];   // offset from the pixel's centre, pixels
@@ -288,20 +288,21 @@ struct renderer_sample {
 void renderer_pass(const struct renderer *renderer, const struct renderer_sample *sample,
                    int bottom);
 
-// Draw a rectangle of a table that is bound, with a single sample per pixel.
+// Draw a rectangle of texels into a table, which must be bound, with a single sample per texel.
 void renderer_fill(const struct renderer *renderer, const struct target *table, int left,
                    int bottom, int width, int height);
 
-// The coarse pass: before a picture, one march for each block of 8 x 8 pixels finds a distance up
-// to which none of the block's rays meets anything. shaders/coarse.glsl describes the pass and
+// The coarse pass: before each picture, one march for each block of 8 x 8 pixels finds a distance
+// up to which none of the block's rays meets anything. shaders/coarse.glsl describes the pass and
 // proves this claim.
 
 // True if a linked view reads the coarse pass, and the shader's parameter coarsePass is on.
 bool renderer_wants_coarse(const struct renderer *renderer, enum shader_view view);
 
-// If renderer_wants_coarse is true, run the pass for the blocks of a rectangle of pixels; other
-// blocks are 0. renderer->coarse has one texel for each block of the whole picture: the start of
-// its rays, and the number of evaluations that this took; the other two channels are unused.
+// If renderer_wants_coarse is true, run the pass for the blocks of a rectangle of pixels, and set
+// all other blocks to 0. renderer->coarse has one texel for each block of the whole picture: the
+// distance at which the block's rays start, and the number of evaluations that finding it took; the
+// other two channels are unused.
 //   view       the linked view that is drawn next
 //   low, high  opposite corners of the rectangle, pixels, the upper one excluded
 // Returns false after reporting the error.

@@ -114,7 +114,7 @@ static void set_parameter(const struct gl *gl, GLint location, const struct para
         gl->Uniform4f(location, v[0], v[1], v[2], v[3]);
 }
 
-// Set a lens to another value, whether its uniform is a parameter or not.
+// Set a lens uniform to another value, whether it is one of the shader's parameters or not.
 static void set_lens(const struct renderer *renderer, int lens, double value)
 {
     const struct parameter *own = parameters_find(&renderer->parameters, renderer_lens[lens]);
@@ -152,7 +152,7 @@ void renderer_use(struct renderer *renderer, const struct renderer_inputs *input
     for (int i = 0; i < RENDERER_LENSES && inputs->lens != NULL; i++)
         set_lens(renderer, i, inputs->lens[i]);
     textures_bind(&renderer->textures, gl, at);
-    if (renderer_wants_coarse(renderer, view)) // texture unit 0, which is a sampler's default
+    if (renderer_wants_coarse(renderer, view)) // bound to unit 0, which is a sampler's default
         gl->BindTexture(GL_TEXTURE_2D, renderer->coarse.texture);
     gl->BindVertexArray(renderer->vertex_array);
 }
@@ -167,7 +167,7 @@ void renderer_clear(const struct gl *gl)
 
 // Each of several samples adds its fraction to the target; a single sample replaces the target's
 // value. Blending is on for a single sample too, because llvmpipe then compiles the program only
-// once. Without blending it compiles the program a second time, for squares of pixels that are
+// once. Without blending, it compiles the program a second time, for squares of pixels that are
 // completely inside the triangle.
 static void blend(const struct gl *gl, int samples)
 {

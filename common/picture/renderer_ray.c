@@ -36,7 +36,8 @@ struct renderer_inputs renderer_from_eye(const struct renderer_inputs *inputs)
     return from;
 }
 
-// True if the selected ray's eye is not that of the picture: another camera, or another lens.
+// True if the selected ray's eye is not that of the picture, because its camera or its lens
+// differs.
 static bool is_pinned(const struct renderer *renderer, const struct renderer_inputs *inputs)
 {
     if (inputs->eye == NULL)

@@ -9,8 +9,8 @@ static bool has_room(const struct renderer *renderer)
            glsl_find_definition(&renderer->fragment.code, "cameraRoom") != NULL;
 }
 
-// Let the driver begin to compile the program if it has not. Returns true while the driver compiles
-// in its own threads.
+// Have the driver start compiling the program if it is not linked yet. Returns true while the
+// driver is compiling the program in other threads.
 static bool is_compiling(const struct renderer *renderer)
 {
     if (renderer->program[SHADER_ROOM] != 0)

@@ -1,4 +1,4 @@
-// room.h - the camera stops at the ground and at the water.
+// room.h - keeps the camera out of the ground and the water.
 #ifndef ROOM_H
 #define ROOM_H
 
@@ -6,10 +6,10 @@
 
 // Keep a camera where the shader's cameraRoom leaves room for it, as described in
 // shaders/room.glsl. If the shader has no such function, the camera can go anywhere. The first call
-// makes the driver begin to compile a program; the camera can go anywhere until the program is
+// has the driver start compiling a program; the camera can go anywhere until the program is
 // compiled, and from then on each call waits for the GPU.
 //   inputs  the inputs of the picture that is shown, with the camera before the move
-//   to      where the camera is going, scene units; receives where the camera stops
+//   to      the camera's destination, scene units; receives the point where the camera stops
 // If the program does not link or the driver has no target for it, reports the error, leaves to
 // unchanged and returns false.
 bool room_keep(struct renderer *renderer, const struct renderer_inputs *inputs, float to[3]);

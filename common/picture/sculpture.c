@@ -111,7 +111,7 @@ static bool read_volume(struct sculpture *sculpture, const struct sampler *sampl
     return fits;
 }
 
-// Carry out the points that are missing, and extend the range of changed slices.
+// Apply the points that have not been applied yet, and extend the range of changed slices.
 static void work(struct sculpture *sculpture, const struct strokes *strokes, int slices[2])
 {
     size_t bytes = bytes_of(sculpture);

@@ -1,8 +1,8 @@
 // sculpture.h - a volume that the pointer changes: the strokes drawn on a picture, and the tool
-// with which a chapter's program carries them out.
+// with which a chapter's program applies them.
 //
-// The strokes are inputs of a picture, like its time. Before it draws, a renderer carries out the
-// strokes that its texture does not have yet. A picture is therefore a function of its options,
+// The strokes are inputs of a picture, like its time. Before it draws, a renderer applies the
+// strokes that its texture does not contain yet. A picture is therefore a function of its options,
 // both in a window and in a file.
 #ifndef SCULPTURE_H
 #define SCULPTURE_H
@@ -13,7 +13,7 @@
 
 // A line through points, drawn with one movement of the pointer.
 struct stroke {
-    double amount;      // how much the tool does; a negative amount does the opposite
+    double amount;      // the tool's size, such as a radius; a negative amount does the opposite
     double (*point)[3]; // in the volume's coordinates; owned
     int points;
 };
@@ -24,7 +24,7 @@ struct strokes {
     int taken_back; // number of strokes taken back so far
 };
 
-// The ray at the pointer, with which a tool aims.
+// The ray under the pointer, with which a tool aims.
 struct sculpture_aim {
     double eye[3], point[3]; // where the ray starts, and a point on it, scene units
     double time;             // seconds
@@ -34,19 +34,20 @@ struct sculpture_aim {
 // The tool of a chapter. Its functions keep no state between calls.
 struct sculpture_tool {
     const char *texture; // the sampler3D whose volume the tool changes
-    int size[3];         // texels of the volume
-    const char *amount;  // the parameter that gives a new stroke's amount; 0 puts the tool away
-    // Find the point of a stroke.
+    int size[3];         // size of the volume, texels
+    const char *amount;  // the parameter with a new stroke's amount; at 0, the tool is off
+    // Find the point at which a stroke begins or continues.
     //   volume  the volume as it was when the stroke began: four bytes for each texel, x fastest,
     //           then y upwards, then z
     //   point   receives the point, in the volume's coordinates
-    // Returns false if there is nothing to work on.
+    // Returns false if the ray meets nothing to work on.
     bool (*aim)(const unsigned char *volume, const struct sculpture_aim *aim, double point[3]);
-    // Carry out a piece of a stroke.
+    // Apply a piece of a stroke.
     //   volume  the volume to change
     //   before  the volume as it was when the stroke began
     //   from    the previous point; for the first piece of a stroke, the same as to
-    //   slices  receives the indices of the first changed slice and of the slice after the last one
+    //   slices  receives the indices of the first changed slice and of the slice after the last
+    //           changed one
     void (*work)(unsigned char *volume, const unsigned char *before, const double from[3],
                  const double to[3], double amount, int slices[2]);
 };
@@ -54,11 +55,11 @@ struct sculpture_tool {
 // The volume of a renderer. It is closed if everything but its tool is zero.
 struct sculpture {
     const struct sculpture_tool *tool; // NULL if the chapter has no tool
-    // The volume as in the file, before the last stroke, and now; NULL until there is a stroke.
-    // Owned.
+    // The volume as it is in the file, as it was before the last stroke, and as it is now; all are
+    // NULL until there is a stroke. Owned.
     unsigned char *original, *before, *now;
-    // The strokes that were carried out, with their taken_back; how many whole strokes of them were
-    // done, and how many points of the next stroke.
+    // The strokes that have been applied, and their taken_back at that time; the number of whole
+    // strokes applied, and the number of points of the next stroke.
     const struct strokes *strokes;
     int taken_back, done, points;
 };
@@ -77,16 +78,16 @@ void strokes_take_back(struct strokes *strokes, int count);
 // text is not a stroke.
 bool strokes_read(struct strokes *strokes, const char *text);
 
-// The text of a stroke, as strokes_read reads it. The caller frees the text.
+// Return a stroke as text that strokes_read can read. The caller frees the text.
 char *stroke_text(const struct stroke *stroke);
 
 void strokes_free(struct strokes *strokes);
 
 // ---- The volume ----
 
-// Carry out the strokes that the texture does not have yet.
-//   textures, samplers, source  those of the shader; if it lacks the tool's texture, nothing is
-//                               done
+// Apply the strokes that the texture does not contain yet.
+//   textures, samplers, source  those of the shader; if the shader lacks the tool's texture,
+//                               nothing is done
 //   strokes                     NULL if there are none
 // Returns false after reporting the error if the volume's file cannot be read again, or if the
 // volume does not have the size that the tool needs.
@@ -94,7 +95,7 @@ bool sculpture_follow(struct sculpture *sculpture, const struct gl *gl,
                       const struct textures *textures, const struct samplers *samplers,
                       const struct shader_source *source, const struct strokes *strokes);
 
-// Free the volumes once the texture is gone.
+// Free the volumes, after the texture has been deleted.
 void sculpture_forget(struct sculpture *sculpture);
 
 #endif

@@ -4,19 +4,19 @@
 
 #define BEHIND     0.10  // length shown left of the eye, as a fraction of the length to its right
 #define BEYOND     0.35  // length shown right of a hit, as a fraction of the length up to the hit
-#define NOTHING    8.0   // scene units shown of a ray that was not marched
-#define TICK_SHARE 0.115 // least distance between ticks, as a fraction of the picture's width
+#define NOTHING    8.0   // length shown of a ray that was not marched, scene units
+#define TICK_SHARE 0.115 // minimum distance between ticks, as a fraction of the picture's width
 #define CELLS      180   // cells in the picture's height
 #define PLOT_ABOVE 10.0  // cells above the highest distance, for the axis's name
 #define PLOT_BELOW 9.0   // cells below the lowest distance
-#define PLOT_TICKS 4.5   // most ticks in the plot's height
+#define PLOT_TICKS 4.5   // maximum number of tick intervals in the plotted range
 
 float slice_cell(int height)
 {
     return fmaxf(1.0f, floorf((float)height / CELLS));
 }
 
-// The step with the smallest distance; for a hit, this is usually the last step.
+// Return the step with the smallest distance, which for a hit is usually the last step.
 static const struct probe_step *nearest_step(const struct probe *probe, int steps)
 {
     const struct probe_step *nearest = &probe->step[0];
@@ -51,7 +51,7 @@ struct slice_frame slice_frame_of(const struct probe *probe, int width, int heig
         double last = (double)probe->step[steps - 1].t;
         centre = (double)nearest->t;
         // A ray that only moves away from the scene, such as a shadow ray or a ray into the sky, is
-        // shown whole.
+        // shown in full.
         if (probe->end == PROBE_PASSED && nearest == &probe->step[0])
             end = 1.05 * last;
         else if (probe->end == PROBE_PASSED)

@@ -33,7 +33,8 @@ struct plot_frame {
     int digits[2]; // the tick as digits[0] / 10^digits[1]
 };
 
-// The side of a cell in pixels: 1 / 180 of the picture's height, rounded down, but at least 1.
+// Return the side of a cell in pixels: 1 / 180 of the picture's height, rounded down, but at least
+// 1.
 float slice_cell(int height);
 
 // Frame a march from behind the eye to a little past the march's end. A ray that passed the far

@@ -19,7 +19,7 @@ static const char fragment_text[] = GL_GLSL "out vec4 fragment;\n"
                                             "    fragment = vec4(0.25);\n"
                                             "}\n";
 
-// Add a quarter twice to 0 by blending, in one pixel.
+// In one pixel, use blending to add a quarter to 0 twice.
 static void draw_half(const struct gl *gl, GLuint program)
 {
     GLuint vertex_array;

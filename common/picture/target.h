@@ -14,7 +14,7 @@ struct target {
 };
 
 // Link a program of the harness itself.
-//   what  names the program in the report
+//   what  the program's name in the error message
 // Reports an error and returns 0 if the driver rejects the program.
 GLuint target_program(const struct gl *gl, const char *what, const char *vertex,
                       const char *fragment);
@@ -25,8 +25,8 @@ void target_upload(const struct gl *gl, int width, int height, const unsigned ch
 // A vertex shader that needs no buffer: its three vertices form a triangle that covers the target.
 extern const char target_vertex[];
 
-// The format of targets into which blending draws: GL_RGBA32F, with which OpenGL 3.3 requires every
-// driver to blend, or GL_RGBA16F if this driver cannot.
+// Return the format for targets that are drawn into with blending: GL_RGBA32F, into which OpenGL
+// 3.3 requires every driver to blend, or GL_RGBA16F if this driver cannot blend into it.
 GLenum target_format(const struct gl *gl);
 
 // Open a target without pixels, and close it.
@@ -35,7 +35,8 @@ void target_open(struct target *target, const struct gl *gl, GLenum format);
 void target_close(struct target *target, const struct gl *gl);
 
 // Bind a target to draw into. If its size changes, its pixels are undefined.
-// Returns false after reporting the error if the driver has no float target, or none of that size.
+// Returns false after reporting the error if the driver cannot create a target of this format and
+// size.
 bool target_bind(struct target *target, const struct gl *gl, int width, int height);
 
 // Read a target: 4 floats per pixel, bottom row first. The target stays bound for reading.

@@ -27,7 +27,7 @@ static void make_code(struct code *code, bool srgb)
     }
 }
 
-// The byte that is nearest to a value on the encoded scale.
+// Return the byte that is nearest to a value on the encoded scale.
 static unsigned char encode(const struct code *code, float value)
 {
     int byte = 0;
@@ -160,8 +160,8 @@ static bool within_driver(const struct gl *gl, const struct texture_image *image
     gl->GetIntegerv(volume ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &most);
     for (int i = 0; i < 3; i++)
         if (image->size[0][i] > most) {
-            snprintf(why, IMAGE_WHY, "a side of %d: the driver takes at most %d", image->size[0][i],
-                     most);
+            snprintf(why, IMAGE_WHY, "a side of %d: the driver supports at most %d",
+                     image->size[0][i], most);
             return false;
         }
     return true;
@@ -223,7 +223,7 @@ bool textures_load(struct textures *textures, const struct gl *gl, const struct 
     for (int i = 0; i < samplers->count; i++) {
         const struct sampler *sampler = &samplers->item[i];
         textures->item = memory_row(textures->item, i, sizeof *textures->item);
-        snprintf(why, sizeof why, "the driver takes at most %d textures", units - 2);
+        snprintf(why, sizeof why, "the driver supports at most %d textures", units - 2);
         textures->item[textures->count++] = (struct texture){0};
         if (i + 2 < units &&
             load(&textures->item[i], gl, sampler, source->paths[sampler->file], why))

@@ -1,4 +1,4 @@
-// texture.h - the pictures that a shader reads, from PNG files into OpenGL textures.
+// texture.h - loads the pictures that a shader reads from PNG files into OpenGL textures.
 #ifndef TEXTURE_H
 #define TEXTURE_H
 
@@ -10,11 +10,11 @@
 
 #define TEXTURE_UNIFORMS 3  // per texture: its sampler, and its size for Shadertoy and glslViewer
 #define TEXTURE_LEVELS   15 // mip levels of a picture with a side of IMAGE_SIDE_LIMIT
-#define TEXTURE_PIXELS   ((size_t)1 << 24) // most pixels of a picture: 4096 x 4096
+#define TEXTURE_PIXELS   ((size_t)1 << 24) // maximum pixels of a picture: 4096 x 4096
 
 // A picture or a volume with its mip levels: level 0 has the full size, and each further level has
 // half of every side, rounded down but at least 1. Each channel of a texel is the mean, in linear
-// light, of the texels that this texel covers: the box filter.
+// light, of the texels of level 0 that this texel covers, as with a box filter.
 struct texture_image {
     int count;                            // number of levels
     int size[TEXTURE_LEVELS][3];          // width, height, slices
@@ -24,8 +24,8 @@ struct texture_image {
 // Read a picture and compute its levels.
 //   sampler  how the shader reads the picture. The slices of a volume are one below another in the
 //            file; the first is at the top, and each is upright
-//   why      receives one phrase on failure: that of image_read_bytes, that the slices do not fit,
-//            or that memory is short
+//   why      receives one phrase on failure: that of image_read_bytes, that the slices do not
+//            divide the height, or that memory is short
 // Returns false without reporting an error on failure. Free with texture_image_free.
 bool texture_image_read(struct texture_image *image, const struct sampler *sampler,
                         const char *path, char why[IMAGE_WHY]);

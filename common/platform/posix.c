@@ -45,7 +45,7 @@ char *platform_resolve(const char *path)
     return realpath(path, NULL);
 }
 
-// O_NONBLOCK prevents the program from hanging if a FIFO replaces the file after it was looked at.
+// O_NONBLOCK prevents the program from hanging if a FIFO replaces the file after platform_look.
 FILE *platform_open(const char *path)
 {
     struct platform_file file;
@@ -107,8 +107,8 @@ static bool refuse(char why[PLATFORM_WHY], const char *phrase)
     return false;
 }
 
-// True if an existing file may be replaced. A rename needs only the folder's permission, but a file
-// that is write-protected must stay.
+// True if an existing file may be replaced. A rename needs only the folder's permission, but a
+// write-protected file must not be replaced.
 static bool may_replace(const char *path, mode_t mode, char why[PLATFORM_WHY])
 {
     if (S_ISREG(mode))
@@ -167,7 +167,7 @@ static int write_and_close(int file, const char *data, size_t size)
 }
 
 // Create a file with a new name in the target's folder. mkstemp would create a file that only its
-// owner may read, and the umask cannot be read without changing it. Returns -1 with errno on
+// owner may read, and the umask cannot be read without changing it. Returns -1 with errno set on
 // failure.
 static int create_beside(const char *target, char name[PLATFORM_PATH + 64])
 {
@@ -180,7 +180,8 @@ static int create_beside(const char *target, char name[PLATFORM_PATH + 64])
     return file;
 }
 
-// Write a new file beside the target and rename it. Returns 0, or an errno and leaves no new file.
+// Write a new file beside the target and rename it. Returns 0 or an errno. After an error, no new
+// file is left.
 static int replace(const char *target, const char *data, size_t size)
 {
     char name[PLATFORM_PATH + 64];
@@ -195,8 +196,8 @@ static int replace(const char *target, const char *data, size_t size)
     return error;
 }
 
-// A signal that ends the program waits until the file is complete. The signal of a file size limit
-// is ignored, so that write() fails instead.
+// A signal that ends the program waits until the file is complete. The signal for a file that
+// exceeds the size limit is ignored, so that write() fails instead.
 int platform_replace(const char *target, const char *data, size_t size)
 {
     struct sigaction ignore = {.sa_handler = SIG_IGN}, before;

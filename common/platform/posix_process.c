@@ -8,7 +8,7 @@
 
 static struct {
     const char *words, *lost_page, *short_memory;
-    char stack[64 * 1024]; // for the signal handler, if the program's own stack is used up
+    char stack[64 * 1024]; // for the signal handler, in case the program's stack is used up
     struct sigaction before;
     stack_t stack_before;
     struct rlimit memory_before;
@@ -69,7 +69,7 @@ void platform_watch_short_memory(const char *words)
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
         return;
     sigaction(SIGSEGV, &action, NULL);
-    sigaction(SIGABRT, &action, NULL); // LLVM prints two lines and aborts
+    sigaction(SIGABRT, &action, NULL); // without memory, LLVM prints two lines and aborts
 }
 
 void platform_limit_memory(double more)

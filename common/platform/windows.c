@@ -1,6 +1,6 @@
-// platform.h for Windows: files, the program, its environment. It uses the system's own calls,
-// because those of its C library support neither UTF-8 nor a rename that replaces a file, and they
-// prevent other programs from replacing a file that is open. Paths have '/' between their parts.
+// platform.h for Windows: files, the program, its environment. It calls the system directly,
+// because the functions of its C library support neither UTF-8 nor a rename that replaces a file,
+// and they prevent other programs from replacing an open file. Paths have '/' between their parts.
 #include "platform.h"
 
 #include <errno.h>
@@ -15,7 +15,7 @@
 enum {
     TRIES = 20,       // retries while another program, such as an editor, has a file open
     TRY_AGAIN = 50,   // ms
-    PLAIN_PATH = 240, // characters of a path that is passed without a prefix
+    PLAIN_PATH = 240, // a path with fewer characters is passed without a prefix
     BESIDE = 40       // bytes for the name of a new file beside a target
 };
 
@@ -25,9 +25,9 @@ enum {
 
 // ---- Text ----
 
-// Convert a path to the absolute path that the system's calls need. A long path gets the prefix
-// \\?\, without which a path is limited to 260 characters. Returns false with errno set if the path
-// is malformed, empty or too long.
+// Convert a path to the absolute path, in UTF-16, that the functions of the system need. A long
+// path gets the prefix \\?\, without which a path is limited to 260 characters. Returns false with
+// errno set if the path is malformed, empty or too long.
 static bool widen(const char *path, wchar_t wide[PLATFORM_PATH])
 {
     wchar_t given[PLATFORM_PATH], whole[PLATFORM_PATH];
@@ -46,7 +46,8 @@ static bool widen(const char *path, wchar_t wide[PLATFORM_PATH])
     return true;
 }
 
-// Convert a path back, with '/' between its parts. Returns false with errno set if it is too long.
+// Convert a path back to UTF-8, with '/' between its parts. Returns false with errno set if the
+// path is too long.
 static bool narrow(const wchar_t *wide, char path[PLATFORM_PATH])
 {
     if (WideCharToMultiByte(CP_UTF8, 0, wide, -1, path, PLATFORM_PATH, NULL, NULL) == 0) {
@@ -100,7 +101,8 @@ const char *platform_why(int error)
 
 // ---- Files that are read ----
 
-// Open a file or a folder. An editor that is saving a file may deny access for a moment.
+// Open a file or a folder. An editor that is saving a file may deny access for a moment, so the
+// call is repeated for up to a second.
 static HANDLE open_any(const char *path, DWORD access)
 {
     wchar_t wide[PLATFORM_PATH];
@@ -166,12 +168,13 @@ char *platform_resolve(const char *path)
         return NULL;
     DWORD length = GetFinalPathNameByHandleW(handle, whole, PLATFORM_PATH, VOLUME_NAME_DOS);
     CloseHandle(handle);
-    // A file on a drive that a program provides may have no final name.
+    // GetFinalPathNameByHandleW may fail on a virtual drive, which a program provides. The given
+    // path is used instead.
     bool told = (length > 0 && length < PLATFORM_PATH) || widen(path, whole);
     return told ? plain(whole) : NULL;
 }
 
-// Other programs may replace the file while it is open here, which fopen would forbid.
+// Other programs may replace the file while it is open here, which fopen would prevent.
 // platform_look is not used, because it would also query the file's disk.
 FILE *platform_open(const char *path)
 {
@@ -229,7 +232,7 @@ static HANDLE create_beside(const char *target, wchar_t name[PLATFORM_PATH], DWO
     return handle;
 }
 
-// True if the existing file may be replaced: a user who write-protects a file expects it to stay.
+// True if the existing file may be replaced. A write-protected file must not be replaced.
 static bool may_replace(const char *path, const struct platform_file *file, char why[PLATFORM_WHY])
 {
     wchar_t wide[PLATFORM_PATH];
@@ -251,7 +254,7 @@ static bool may_create(const char *path, char why[PLATFORM_WHY])
         return refuse(why, platform_why(errno));
     if (path[strlen(path) - 1] == '/')
         return refuse(why, "a name that ends in / is a folder's: give the name of a file");
-    // A name with a colon would be a stream of another file.
+    // A name with a colon would denote a stream of another file.
     if (strpbrk(path + name_at(path), "<>:\"|?*") != NULL)
         return refuse(why, "a name must not contain < > : \" | ? *: give another");
     if (widen(path, wide) && GetFileAttributesW(wide) != INVALID_FILE_ATTRIBUTES)
@@ -280,14 +283,14 @@ bool platform_target(const char *path, char target[PLATFORM_PATH], char why[PLAT
         return may_create(path, why) && folder_writable(target, why);
     if (!may_replace(path, &file, why))
         return false;
-    char *resolved = platform_resolve(path); // a link is kept; its file is replaced
+    char *resolved = platform_resolve(path); // a link is kept, and its target is replaced
     if (resolved != NULL)
         strcpy(target, resolved);
     free(resolved);
     return folder_writable(target, why);
 }
 
-// Rename a file to a target that other programs are reading; they go on reading the old file.
+// Rename a file to a target that other programs have open. They keep reading the old file.
 static bool rename_as_posix(const wchar_t *name, const wchar_t *target)
 {
     struct {
@@ -305,8 +308,9 @@ static bool rename_as_posix(const wchar_t *name, const wchar_t *target)
     return done;
 }
 
-// Rename a file to its target. If access is denied, a program has the target open, because
-// platform_target has checked that the target is not write-protected. Returns 0 or an errno.
+// Rename a file to its target. If access is denied, another program has the target open, because
+// platform_target has checked that the target is not write-protected; then the rename is tried
+// again. Returns 0 or an errno.
 static int put_in_place(const wchar_t *name, const wchar_t *target)
 {
     for (int i = 0; !MoveFileExW(name, target, MOVEFILE_REPLACE_EXISTING); i++) {
@@ -321,7 +325,8 @@ static int put_in_place(const wchar_t *name, const wchar_t *target)
     return 0;
 }
 
-// Write a new file beside the target and rename it. Returns 0, or an errno and leaves no new file.
+// Write a new file beside the target and rename it. Returns 0 or an errno. After an error, no new
+// file is left.
 static int replace(const char *target, const char *data, size_t size)
 {
     wchar_t name[PLATFORM_PATH], wide[PLATFORM_PATH];

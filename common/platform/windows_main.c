@@ -1,6 +1,6 @@
 // The entry point of a program for Windows, which calls main with the command line in UTF-8. In the
-// packed folder, every program contains this file, and a library beside the programs contains all
-// the others.
+// packed folder, every program contains this file, and a library beside the programs contains the
+// rest of the code.
 #include "platform/windows.h"
 
 #include <fcntl.h>
@@ -42,8 +42,8 @@ static void *need(void *memory)
     return memory;
 }
 
-// Return a word of the command line in UTF-8, with '/' instead of '\', which only paths contain.
-// The word lives as long as the program.
+// Return a word of the command line in UTF-8. Each '\' becomes '/', because only paths contain a
+// '\'. The word lives as long as the program.
 static char *word_of(const wchar_t *wide)
 {
     int size = WideCharToMultiByte(CP_UTF8, 0, wide, -1, NULL, 0, NULL, NULL);
@@ -66,14 +66,14 @@ static char **words_of(int *count)
     return words;
 }
 
-// The C library starts here. Output is written unchanged, in UTF-8.
+// The C library starts the program here. Output is written unchanged, in UTF-8.
 int wmain(void)
 {
     int count = 0;
     char **words = words_of(&count);
     _setmode(_fileno(stdout), _O_BINARY);
     _setmode(_fileno(stderr), _O_BINARY);
-    setvbuf(stderr, NULL, _IONBF, 0);     // otherwise a pipe gets it only at the program's end
+    setvbuf(stderr, NULL, _IONBF, 0);     // otherwise a pipe receives messages only at exit
     SetErrorMode(SEM_FAILCRITICALERRORS); // no dialog for a drive without a disk
     timeBeginPeriod(1);                   // otherwise a wait may last 16 ms, as long as a frame
     state.code_page = GetConsoleOutputCP();

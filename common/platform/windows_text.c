@@ -1,6 +1,6 @@
-// platform.h for Windows: streams into memory. The C library of Windows has none, so each stream is
-// a temporary file, which seldom reaches the disk. The file is kept for the next stream, because a
-// window makes short texts in every frame.
+// platform.h for Windows: streams into memory. The C library of Windows has no such streams, so
+// each stream is a temporary file, which seldom reaches the disk. The file is kept for the next
+// stream, because a window writes short texts in every frame.
 #include "platform.h"
 
 #include <fcntl.h>
@@ -11,7 +11,7 @@
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
 
-enum { STREAMS = 16 }; // open at the same time
+enum { STREAMS = 16 }; // maximum number open at the same time
 
 static struct {
     FILE *stream;
