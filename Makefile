@@ -39,7 +39,7 @@ PARALLEL = $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),,-j$(CPUS))
 # A recipe that uses AGAIN needs a '+' to pass on the caller's jobs: make itself looks only for the word MAKE.
 AGAIN = $(MAKE) --no-print-directory $(if $(V),,-s) $(PARALLEL)
 
-# Two commands on one command line run one after the other; otherwise both would compile the same files.
+# Two targets on one command line are made one after the other; otherwise both would compile the same files.
 ifneq ($(filter-out programs tests fuzzer figure_programs build/%,$(MAKECMDGOALS)),)
 ifneq ($(word 2,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -53,7 +53,7 @@ SYSTEM := $(if $(WINDOWS)$(filter Windows_NT,$(OS)),Windows,$(shell uname -s))
 MAC := $(filter Darwin,$(SYSTEM))
 EXE := $(if $(filter Windows,$(SYSTEM)),.exe)
 PKG_CONFIG = pkg-config
-# Like MSYS2's compiler, this one links the C library of Windows 10.
+# Like MSYS2's compiler, this cross compiler links the C library of Windows 10.
 WINDOWS_CC = x86_64-w64-mingw32-gcc -specs=build/windows/ucrt.specs -D_UCRT
 ifneq ($(WINDOWS),)
 CC = $(WINDOWS_CC)
@@ -65,7 +65,7 @@ endif
 
 comma := ,
 found = $(shell $(PKG_CONFIG) --exists $(1) 2>/dev/null && echo yes)
-# Macs and Windows have no EGL or OSMesa of their own: a library of such a name there is something else.
+# macOS and Windows have no EGL or OSMesa; a library with such a name is something else there.
 BACKENDS := $(if $(call found,glfw3),glfw) $(if $(MAC)$(EXE),,$(if $(call found,egl),egl) \
             $(if $(call found,osmesa),osmesa))
 LIBRARIES := libpng $(if $(filter glfw,$(BACKENDS)),glfw3) $(if $(filter egl,$(BACKENDS)),egl)
@@ -75,7 +75,7 @@ HAVE := $(if $(filter glfw,$(BACKENDS)),-DHAVE_GLFW) $(if $(filter egl,$(BACKEND
 # -isystem exempts other people's headers from our warnings.
 HEADERS := $(patsubst -I%,-isystem %,$(shell $(PKG_CONFIG) --cflags $(LIBRARIES) cglm 2>/dev/null))
 ifneq ($(MAC),)
-# On Apple's processors, compilers do not search Homebrew's folder by themselves.
+# On Apple's processors, compilers do not search Homebrew's folder by default.
 HEADERS += $(addprefix -isystem ,$(addsuffix /include,$(shell brew --prefix 2>/dev/null)))
 endif
 ifneq ($(WEB),)
@@ -94,8 +94,8 @@ say = $(if $(V),,@echo '$(1)' &&)
 
 # Warnings stop `make lint` and CI, but not a user whose compiler has more warnings than ours.
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(if $(CI),-Werror)
-# On Windows the compiler checks format strings against the old C library, which is not the one that is linked;
-# and isfinite and similar functions are macros that convert their arguments.
+# On Windows, the compiler checks format strings against the old C library, which is not the one that is linked, and
+# isfinite and similar functions are macros that convert their arguments.
 WARNINGS += $(if $(EXE),-Wno-format -Wno-float-conversion)
 # Fused multiply-add is disabled, so that the programs of the textures compute the same numbers everywhere.
 LANGUAGE = -std=c11 -ffp-contract=off -D_XOPEN_SOURCE=700 -Icommon -Ishaders -Itests
@@ -149,21 +149,22 @@ ABSENT += $(if $(WEB),common/window/full_screen.c)
 ABSENT += $(if $(WEB),$(patsubst %,common/%.c,context/egl context/osmesa context/guard picture/image_read picture/image_write platform/posix_process window/none),$(BROWSER))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES))) $(BUILD)/common/picture/font.o
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
-# Code shared by tests: an archive, from which the linker takes the objects that a test or a figure uses. No code calls
-# choice.c by name, so it is linked separately.
+# The code shared by tests is an archive, from which the linker takes the objects that a test or a figure uses. No code
+# refers to choice.c, so it is linked separately.
 SUPPORT := $(filter-out %/system_$(if $(EXE),posix,windows).c %/choice.c %/no_dlclose.c %/user.c %/session.c,$(wildcard tests/lib/*.c))
 SUPPORT := $(SUPPORT:%.c=$(BUILD)/%.o)
 PARTS := $(BUILD)/tests/parts.a
 JUDGE := $(BUILD)/tests/lib/compare.o $(BUILD)/tests/lib/judge.o
 PROGRAMS := $(STEMS:%=$(BUILD)/%$(EXE))
 LECTURE := $(if $(WEB)$(WINDOWS),,$(BUILD)/lecture$(EXE))
-# The steps of the engine in docs/engine.md, which use nothing from common/. Macs and Windows lack Khronos's header.
+# The steps of the engine in docs/engine.md use nothing from common/. macOS and Windows lack Khronos's glcorearb.h.
 FIRST_STEPS := $(if $(MAC)$(EXE),,$(if $(filter-out osmesa,$(BACKENDS)),$(wildcard chapters/first_steps/*.c)))
 FIRST_STEPS := $(FIRST_STEPS:chapters/%.c=$(BUILD)/%)
 FIGURES := $(patsubst docs/figures/%.c,%,$(filter-out %/svg.c,$(sort $(wildcard docs/figures/*.c))))
-# A source that has a header draws nothing: it contains functions for the others.
+# A source that has a header draws no texture: it contains functions for the other sources.
 PAINT := $(patsubst %.h,$(BUILD)/%.o,$(wildcard shaders/textures/*.h))
-# These sources as an archive, from which the linker takes what a chapter's program uses; a browser has no libpng.
+# An archive of these sources, from which the linker takes the objects that a chapter's program uses. For a browser,
+# which has no libpng, it does not contain paint.o.
 PAINTED := $(BUILD)/shaders/textures/painted.a
 TEXTURES := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard shaders/textures/*.c)))
 TEXTURES := $(filter-out $(PAINT:%.o=%),$(TEXTURES))
@@ -173,7 +174,8 @@ TESTS := $(sort $(wildcard $(addprefix tests/,$(addsuffix /*.c,unit shaders pict
 TESTS := $(filter-out $(if $(EXE),$(shell grep -l '<sys/\|<glob' $(TESTS))),$(TESTS))
 TESTS := $(filter-out $(if $(filter egl,$(BACKENDS)),,$(shell grep -l 'lib/session' $(TESTS))),$(TESTS))
 TESTS := $(filter-out $(if $(filter glfw,$(BACKENDS)),,$(shell grep -l 'lib/session\|lib/user\|window/keys' $(TESTS))),$(TESTS))
-# The sanitizers see only C, so tests of shaders and pictures, and programs of figures, show nothing more under them.
+# The sanitizers check only C code, so the tests of shaders and pictures, and the programs of figures, would show
+# nothing more under them.
 TESTS := $(if $(SANITIZE),$(filter-out tests/shaders/% tests/pictures/%,$(TESTS)),$(TESTS))
 TESTS := $(TESTS:%.c=$(BUILD)/%$(EXE))
 
@@ -208,7 +210,7 @@ TEST_PARTS := $(BUILD)/tests/lib/choice.o $(PARTS) $(EXTRA)
 $(TESTS): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.o $(TEST_PARTS)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(CMOCKA) $(LINK)
 
-# The chapters, compiled to call live_run, with which a test receives what they would pass to chapter_run.
+# The chapters are compiled to call live_run instead of chapter_run, so that a test receives their settings.
 TOGETHER_PARTS := $(STEMS:%=$(BUILD)/chapters/together/%.o) $(BUILD)/chapters.o
 $(BUILD)/tests/draw$(EXE): $(TOGETHER_PARTS)
 
@@ -219,7 +221,7 @@ $(patsubst %,$(BUILD)/tests/%$(EXE),measure draw): $(BUILD)/tests/%$(EXE): $(BUI
 $(filter-out %/watch$(EXE),$(filter $(BUILD)/tests/window/%,$(TESTS))): $(patsubst %,$(BUILD)/tests/lib/%.o,$(if $(filter egl,$(BACKENDS)),session) user) $(TOGETHER_PARTS)
 $(BUILD)/tests/window/%.exe: LDFLAGS += -Wl,--allow-multiple-definition
 
-# compare measures how much two pictures differ; judge uses this to check the solution of an exercise.
+# compare measures how much two pictures differ; judge uses the same code to check a solution to an exercise.
 $(BUILD)/tests/compare$(EXE) $(BUILD)/tests/judge$(EXE): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/tools/%.o $(JUDGE) \
     $(patsubst %,$(BUILD)/common/%.o,picture/image picture/image_read picture/image_write shader/text_file memory report $(PLATFORM)) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
@@ -270,7 +272,7 @@ build/web/harness.js: $(STEMS:%=$(BUILD)/chapters/%.o) $(BUILD)/chapters.o $(COM
 	$(call say,link $@) $(CC) $(CFLAGS) --no-entry $(EMSCRIPTEN) -sEXPORTED_FUNCTIONS=$(EXPORTS) \
 	    --js-library common/browser/page.js -o $@ $(filter %.o %.a,$^)
 
-# Headers that are the same on all systems; emcc has its own versions of the others.
+# These headers are the same on all systems; emcc has its own versions of the others.
 $(BUILD)/flags: $(BUILD)/include
 $(BUILD)/include:
 	@mkdir -p $@

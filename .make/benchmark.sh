@@ -2,8 +2,8 @@
 # benchmark.sh - `make benchmark`: print the cost of each chapter at 640x360, in milliseconds and in units of
 # tests/pictures/reference_scene.frag, and compare it with the table in docs/benchmark.md.
 #
-# Environment: CHAPTER, a single chapter; ROUNDS and FRAMES, the number of measurements and the number of frames in
-# each; WRITE=1 writes the table to docs/benchmark.md. With STEPS=1, steps.sh prints its table instead, and with
+# Environment: CHAPTER, a single chapter to measure; ROUNDS, the number of measurements, and FRAMES, the number of
+# frames in each; WRITE=1, to write the table to docs/benchmark.md. With STEPS=1, steps.sh prints its table instead; with
 # MARCHES=1, marches.sh does.
 set -u
 . .make/chapters.sh

@@ -24,7 +24,7 @@ end
 local function link(element)
     local kind, file, id = pages.target(element.target)
     if kind == 'file' then
-        return element.content -- the text contains the file's name
+        return element.content -- the link's text contains the file's name
     elseif kind ~= 'outside' then
         element.target = '#' .. anchor(kind == 'here' and page or file, id)
     end
@@ -51,8 +51,8 @@ local function formula(element)
     end
 end
 
--- The length of a cell's text, or 60 if the cell has a picture. The columns of a wide table share its width in this
--- proportion.
+-- The length of a cell's text, or 60 if the cell has a picture. The columns of a wide table share its width in
+-- proportion to their longest cells.
 local function width_of(cell)
     local pictures = false
     pandoc.walk_block(pandoc.Div(cell.contents), {Image = function(image)
@@ -61,8 +61,8 @@ local function width_of(cell)
     return pictures and 60 or #pandoc.utils.stringify(pandoc.Div(cell.contents))
 end
 
--- The length of the longest word of a cell, because a word cannot be broken. Code can be broken, and the source of a
--- formula says little about its width.
+-- The length of the longest word in a cell, at most 24, because a word cannot be broken. Code can be broken, and the
+-- source of a formula says little about its width.
 local function word_of(cell)
     local most = 0
     local prose = pandoc.walk_block(pandoc.Div(cell.contents), {
@@ -100,14 +100,14 @@ local function table_widths(element)
         total = total + longest[i]
         words = words + word[i]
     end
-    -- Each column has room for its longest word; the rest of a line of 84 characters is shared in proportion to the
-    -- text.
+    -- Each column has room for its longest word. The rest of the line, which has at least 84 characters, is shared in
+    -- proportion to the length of the text.
     local line = math.max(84, 1.1 * words)
     for i, spec in ipairs(element.colspecs) do
         element.colspecs[i] = {spec[1], word[i] / line + (1 - words / line) * longest[i] / total}
     end
     return pandoc.walk_block(element, {Image = function(image)
-        image.attributes.width = string.format('%d%%', math.floor(92 / #longest)) -- share of the page's width
+        image.attributes.width = string.format('%d%%', math.floor(92 / #longest)) -- an equal share of the page's width
         return image
     end})
 end
@@ -124,7 +124,7 @@ end
 
 -- ---- Folds ----
 
--- The name of a fold's owner: the number of an exercise or experiment, otherwise the title of the section.
+-- The name of a fold's owner: 'Exercise 3' or 'Experiment 3', or the title of the section if it has no number.
 local function owner(title, number)
     local kind = number and ({Experiments = 'Experiment', Exercises = 'Exercise'})[title]
     return kind and kind .. ' ' .. number or title

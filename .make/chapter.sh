@@ -1,7 +1,7 @@
 #!/bin/bash
 # chapter.sh - `make chapter NAME=soft_shadows`: create a chapter with the next free number.
 #
-# Environment: NAME. Writes chapters/NN_NAME.c and .frag and docs/NN_NAME.md, and adds a line to
+# Environment: NAME. The script writes chapters/NN_NAME.c, chapters/NN_NAME.frag and docs/NN_NAME.md, and adds a line to
 # tests/pictures/images.txt. It never overwrites a file.
 set -u
 . .make/chapters.sh

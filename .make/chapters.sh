@@ -1,6 +1,6 @@
 # shellcheck shell=sh
-# chapters.sh - sourced by the other scripts here: the list of chapters, and functions that run them. It also sets
-# LC_ALL, so that the scripts behave the same in every language.
+# chapters.sh - defines the list of chapters and functions that run them, and is sourced by other scripts here. It also
+# sets LC_ALL, so that the scripts behave the same in every language.
 export LC_ALL=C
 
 stems() {
@@ -9,7 +9,8 @@ stems() {
     done
 }
 
-# stem_of NAME: print the stem of the chapter 03, 3 or 03_shadows; if NAME is empty, that of the first chapter.
+# stem_of NAME: print the stem of the chapter with this name, such as 3, 03 or 03_shadows; if NAME is empty, print the
+# stem of the first chapter.
 stem_of() {
     for stem in $(stems); do
         case $stem in
@@ -17,13 +18,13 @@ stem_of() {
         esac
         [ -z "$1" ] && { echo "$stem"; return; }
     done
-    printf 'make: CHAPTER=%s: no such chapter: there are %s\n' "$1" \
+    printf 'make: CHAPTER=%s: no such chapter: the chapters are %s\n' "$1" \
         "$(stems | tr '\n' ' ' | sed 's/ $//; s/ /, /g')" >&2
     return 1
 }
 
 # in_window PROGRAM OPTION...: run the program and exit with its status; return only if it needs a window and none can
-# be opened. Only the program can tell, and its status is then 3.
+# be opened. Only the program can find this out; its status is then 3.
 in_window() {
     "$@"
     status=$?

@@ -1,7 +1,7 @@
 #!/bin/bash
 # check.sh - `make check EXERCISE=03_2 FILE=my.frag`: check a reader's solution to an exercise. The file and the
-# solution in chapters/solutions are rendered with the same options, those of the exercise's pictures in
-# tests/pictures/images.txt and tests/course/checks.txt. Their pictures and the marches of some rays are compared.
+# solution in chapters/solutions are rendered with the options that tests/pictures/images.txt and
+# tests/course/checks.txt list for the exercise. The pictures of both and the marches of some rays are compared.
 # EXERCISE=engine_1 is an exercise of docs/engine.md: FILE is a C program, which is built and run.
 #
 # The course for students has no solutions, only what `make student` has stored in tests/course/stored/EXERCISE/:
@@ -10,10 +10,10 @@
 # Environment: EXERCISE; FILE, or FILES for a table with one line for each file. FILES is a pattern, or several patterns
 # separated by spaces. Pictures of the differences are left in build/check/EXERCISE/, each under the path of its file.
 # For `make marks`, the files are arguments, and MARKS names a file that receives a line for each of them, with fields
-# separated by tabs: exercise, file, mark, verdict, its picture, the right picture ('-' for none). With FILES or MARKS,
-# wrong.txt in the same folder lists the wrong pictures, as scenes for `make lecture`, if the solution exists. For
+# separated by tabs: exercise, file, mark, verdict, its picture, the right picture ('-' if there is none). If the
+# solution exists, wrong.txt in the same folder lists the wrong pictures, as scenes for `make lecture`. For
 # `make student`, STORE is a folder in which the solution's pictures and rays are stored; no file is checked.
-# Exit status: 0 if every file is right, 1 if one is not, 2 if the arguments are wrong.
+# Exit status: 0 if every file is right, 1 if one is not, 2 if the files cannot be checked.
 set -u
 export LC_ALL=C
 
@@ -70,7 +70,7 @@ look() { # FILE OPTIONS PLACE N
     fi
 }
 
-# Add a picture that differs to the list of scenes for `make lecture`: the file on the left, the solution on the right.
+# List a wrong picture as a scene for `make lecture`, with the file on the left and the solution on the right.
 list_wrong() { # FILE WORDS
     [[ "$1" != *[$'\r\n']* && -e "$solution" ]] || return
     printf '%s --shader %s --compare %s %s\n    %s, on the left: %s\n' "${program#build/}" "$(quoted "$1")" "$solution" "$shown" "$1" "$2" >>"$folder/wrong.txt"
@@ -136,7 +136,7 @@ judge_program() { # FILE DIFFERENCE
         right_outcome "$number" "$options"
         right=$(cat "$scratch/$number.outcome")
         said=$(outcome mine "$options")
-        [ "$said" = "$right" ] || { echo "with -o FILE.png $options it $said, and the solution $right"; return 1; }
+        [ "$said" = "$right" ] || { echo "with -o FILE.png $options it $said, but the solution $right"; return 1; }
         [[ $right == writes* ]] || continue
         said=$(build/tests/judge picture "$options" "$scratch/$number.png" "$scratch/mine.png" "$2") || { tail -n 1 <<<"$said: see $2"; return 1; }
         shares+=("$(sed -n 2p <<<"$said")")
@@ -192,13 +192,13 @@ judge() { # FILE
     build/tests/judge right "${shares[@]}"
 }
 
-# True if the file is the published solution or includes it, ignoring blanks and comments.
+# True if the file is the published solution, ignoring blanks and comments, or includes a published solution.
 is_published() { # FILE
     [ "$(text_of "$1")" = "$(cat "$scratch/text")" ] ||
         without_comments "$1" | grep -qE '^[[:space:]]*#[[:space:]]*include[[:space:]]*["<].*solutions/'
 }
 
-# Store what a check needs of the solution.
+# Store those parts of the solution that a check needs.
 store() { # FOLDER
     local options picture number=0
     mkdir -p "$1" || exit 2
@@ -231,7 +231,7 @@ esac
 stem=$(basename "$(echo chapters/"${EXERCISE%%_*}"_*.c)" .c)
 wanted=$(pictures_of "$stem" "${EXERCISE#*_}")
 [[ $EXERCISE == [0-9]* ]] || wanted=$(sed -n "s/^$EXERCISE  *//p" tests/course/checks.txt)
-[ -n "$wanted" ] || fail "EXERCISE=$EXERCISE: no solution to compare with; there are $({ exercises; engine_exercises; } | paste -s -d ' ' -)"
+[ -n "$wanted" ] || fail "EXERCISE=$EXERCISE: no solution to compare with; these exercises have one: $({ exercises; engine_exercises; } | paste -s -d ' ' -)"
 files=()
 if [ $# -gt 0 ]; then files=("$@"); elif [ -z "${STORE-}" ]; then find_files; fi
 set -f

@@ -8,7 +8,7 @@ set -u -f
 export LC_ALL=C
 difference=build/compare.png
 
-# shellcheck disable=SC2206 # a name has no spaces
+# shellcheck disable=SC2206 # a name must not contain spaces
 pictures=(${PICTURES-})
 if [ ${#pictures[@]} != 2 ]; then
     echo "make: which two pictures? For example: make compare PICTURES='one.png two.png'" >&2

@@ -1,5 +1,5 @@
 #!/bin/sh
-# diff.sh - `make diff CHAPTER=03`: show what changed since the previous chapter, or, with CHAPTER=engine_2,
+# diff.sh - `make diff CHAPTER=03`: show what changed since the previous chapter or, with CHAPTER=engine_2,
 # since the previous step of docs/engine.md.
 set -u
 . .make/chapters.sh
@@ -27,7 +27,7 @@ fi
 
 for kind in frag c; do
     old=chapters/$before.$kind new=chapters/$stem.$kind
-    if ! [ -e "$old" ] || ! [ -e "$new" ]; then continue; fi # two steps of the engine have a shader
+    if ! [ -e "$old" ] || ! [ -e "$new" ]; then continue; fi # only two steps of the engine have a shader
     if command -v git >/dev/null; then
         git --no-pager diff --no-index --patience "$old" "$new"
     else

@@ -46,7 +46,7 @@ places_of() { # OPTIONS
     echo "${places[*]}"
 }
 
-# Print the options of a picture that its rays use too.
+# Print those options of a picture that also apply to its rays.
 options_of_rays() { # OPTIONS
     sed -E 's/(--view|--probe) +[^ ]+//g' <<<"$1"
 }
@@ -61,7 +61,7 @@ text_of() { # FILE
     without_comments "$1" | tr -d '[:space:]' | cksum
 }
 
-# Print a word as a command line, or a lecture's list, needs it: in quotes if it contains a special character.
+# Quote a word for a command line or a lecture's list, if it contains a special character.
 quoted() { # WORD
     local end="'" quote="'\"'\"'" text
     text=${1//$end/$quote}
@@ -73,7 +73,7 @@ beside() { # LIST
     echo "To see each wrong picture beside the solution's, with N for the next one: make lecture LIST=$(quoted "$1")"
 }
 
-# Set files to those named by FILE or FILES. FILES is first tried as a single pattern, because folders may have spaces.
+# Set files to those named by FILE or FILES. FILES is first tried as a single pattern, because names may contain spaces.
 find_files() {
     local IFS='' file
     files=(${FILE:+"$FILE"})

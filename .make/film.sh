@@ -1,8 +1,8 @@
 #!/bin/sh
 # film.sh [OPTION...] - `make film`: make an MP4 and a GIF of a chapter with ffmpeg.
 #
-# Environment: CHAPTER, "03" or a whole stem (if empty, the first chapter); FRAMES and FPS, the number of pictures and
-# the number per second; VIEW, the view. The slice and the plot show one ray, and their films follow this ray from its
+# Environment: CHAPTER, "03" or a whole stem (if empty, the first chapter); FRAMES, the number of pictures; FPS, their
+# number per second; VIEW, the view. The slice and the plot show one ray, and their films follow this ray from its
 # first step to its last. The pictures stay in build/film/STEM/. If the command is interrupted, the old film is kept.
 set -u
 . .make/chapters.sh
@@ -18,7 +18,7 @@ film=build/film/$stem
 part=$film.part
 
 if ! command -v ffmpeg >/dev/null; then
-    echo "make film: ffmpeg is not installed: install it (apt-get, dnf or brew install ffmpeg); the pictures alone:" \
+    echo "make film: ffmpeg is not installed: install it (apt-get, dnf or brew install ffmpeg); to write only the pictures:" \
         "build/$stem --frames $frames --fps $fps -o frame-%04d.png" >&2
     exit 1
 fi

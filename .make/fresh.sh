@@ -1,24 +1,26 @@
 #!/bin/bash
 # fresh.sh - `make test-fresh`: check that the README's two commands work on a bare machine.
 #
-# For each release, debootstrap makes a bare root with only git and make added, which a reader needs to fetch the
-# project and to type a command. The root is kept as an archive, which is unpacked for each try, and receives a clone
-# of the last commit. In the first kind of try, root types the commands. In the second, a reader who
-# may not install packages gives root the command that `make run` prints, and then continues. A try passes if every
-# command succeeds, at least one test passed, none failed, and every skipped test is listed in tests/lib/skipped.txt.
-# Only a few suites are run, which together need every package of both commands; ALL=1 runs the whole `make test`. The
-# output of the commands is in build/fresh/.
+# For each release, debootstrap makes a bare root file system, to which only git, make and certificates are added,
+# because a reader needs them to fetch the project and to type a command. It is kept as an archive, which is unpacked
+# for each try, and receives a clone of the last commit. In the first kind of try, the user root types the commands. In
+# the second, a reader who may not install packages gives root the command that `make run` prints, and then continues. A
+# try passes if every command succeeds, at least one test passed, none failed, and every skipped test is listed in
+# tests/lib/skipped.txt. Only a few suites are run, which together need every package of both commands; ALL=1 runs the
+# whole `make test`. The output of the commands is in build/fresh/.
 #
-# A third kind of try, with ALL=1, is a machine in the cloud: the commands of .devcontainer/devcontainer.json, then, in
-# the course for students, those of its workflow, with a right and with a wrong answer.
+# A third kind of try, with ALL=1, imitates a machine in the cloud. It runs the commands of
+# .devcontainer/devcontainer.json and then, in the course for students, the commands of its workflow with a right answer
+# and a check of a wrong one.
 #
 # A try sees nothing of this machine: it has its own mount and process namespaces, its own /proc and terminals, and
-# its own tmpfs on /dev/shm. /dev is never mounted; its files are nodes in the root. Both namespaces end with this
-# script, and the mounts with them.
+# its own tmpfs on /dev/shm. /dev is never mounted; its files are nodes in the root file system. Both namespaces end
+# with this script, and the mounts with them.
 #
 # Environment: TRIES, a list of RELEASE:root, RELEASE:reader and RELEASE:cloud, by default the first two on Debian 12
-# and 13, and with ALL=1 the third on Debian 13; SID=1 adds the first two on sid, whose failures are reported but do not
-# count; MIRROR, by default the one that this machine's apt uses; XDG_CACHE_HOME.
+# and 13, and with ALL=1 the third on Debian 13; SID=1, to add the first two on sid, whose failures are reported but do
+# not count; MIRROR, Debian's mirror, by default the one that this machine's apt uses; XDG_CACHE_HOME, the folder for
+# the archives, by default ~/.cache.
 set -u
 export LC_ALL=C
 
@@ -57,7 +59,7 @@ fi
 
 # ---- Cleaning up ----
 
-inside= # the process that runs in its own namespaces
+inside= # the isolated process, if one is running
 roots=$(mktemp -d "${TMPDIR:-/tmp}/fresh.XXXXXX") || exit 1
 
 end() {
@@ -69,8 +71,9 @@ trap end EXIT
 trap 'exit 130' INT
 trap 'exit 143' HUP TERM
 
-# isolated COMMAND...: run it in its own mount and process namespaces; processes that it leaves behind end with it.
-# It runs in the background, because a shell that waits for it reacts to a signal at once.
+# isolated COMMAND...: run a command in separate mount and process namespaces; processes that it leaves behind end with
+# it. The command runs in the background, because a shell that waits for a background process reacts to a signal at
+# once.
 isolated() {
     unshare --mount --pid --fork --kill-child "$@" </dev/null &
     inside=$!
@@ -84,7 +87,7 @@ isolated() {
 # machine, whose files and mounts then no longer exist in the namespace. The first process must collect all orphans,
 # so it remains a shell.
 within() {
-    # shellcheck disable=SC2016 # for the shell inside
+    # shellcheck disable=SC2016 # the inner shell expands the variables
     isolated sh -c '
         mount --bind "$1" "$1" && mount -t proc proc "$1/proc" && mount -t tmpfs -o mode=1777 tmpfs "$1/dev/shm" &&
             mount -t devpts -o newinstance,ptmxmode=666 devpts "$1/dev/pts" &&
@@ -97,9 +100,10 @@ within() {
 
 # ---- Bare roots ----
 
-# source_of LABEL: print this machine's source of Debian's packages with this label (Debian or Debian-Security).
+# source_of LABEL: print the address from which this machine's apt gets Debian's packages with this label (Debian or
+# Debian-Security).
 source_of() {
-    # shellcheck disable=SC2016 # apt's own names
+    # shellcheck disable=SC2016 # apt expands the names
     apt-get indextargets --format '$(ORIGIN)|$(LABEL)|$(REPO_URI)' 'Created-By: Packages' |
         sed -n "s,^Debian|$1|\(.*[^/]\)/*\$,\1,p" | head -n 1
 }
@@ -152,7 +156,7 @@ unpack() {
 
 # ---- The two commands ----
 
-commands() { # exactly those that the README names
+commands() { # print exactly the commands that the README names
     awk '/^## / { here = /Two commands/ } here && /^make / { sub(/ *#.*/, ""); print }' README.md
 }
 
@@ -200,9 +204,9 @@ two_commands() {
 # The user's first command must fail and print, on a separate line, the command that root has to type.
 hand_over() { # RELEASE
     local command
-    within "$root" reader 'cd course && make run' && { echo 'It did not ask for anything.'; return 1; }
+    within "$root" reader 'cd course && make run' && { echo 'make run did not ask for anything.'; return 1; }
     command=$(sed -n 's/^  \(.*apt-get.*\)/\1/p' "$log")
-    [ -n "$command" ] || { echo 'It printed no command.'; return 1; }
+    [ -n "$command" ] || { echo 'make run printed no command.'; return 1; }
     within "$root" root "$command"
 }
 

@@ -1,7 +1,7 @@
--- handouts.lua - turns docs/teaching.md into handouts: two pages for each lab, or, with the metadata answers, a page
--- with the answers of each lab. A lab is a section '### Lab 3: chapters 02 and 03, ...' with a list, whose items begin
--- with *Predict.*, *Show.*, *Step by step.*, *Work.* and *Exit question.*; the answer to a question follows it in
--- brackets.
+-- handouts.lua - turns docs/teaching.md into handouts: two pages for each lab or, if the metadata contain `answers`,
+-- one page with the answers to each lab. A lab is a section '### Lab 3: chapters 02 and 03, ...' with a list, whose
+-- items begin with *Predict.*, *Show.*, *Step by step.*, *Work.* and *Exit question.*; the answer to a question follows
+-- it in brackets.
 
 local pages = dofile('.make/pages.lua')
 local answers = false
@@ -42,8 +42,8 @@ local function answer_at(inlines, i)
     end
 end
 
--- The inlines with lines to write on after each question, instead of the answer, or, for the sheets of answers, with
--- the answers in italics.
+-- The inlines of a part. In a handout, each answer is replaced with lines to write on; in the sheets of answers, it is
+-- set in italics.
 local function answered(inlines)
     local result, i, last = {}, 1, nil
     while i <= #inlines do
@@ -113,7 +113,7 @@ local function questions(chapter)
     return found
 end
 
--- At most four questions, the same number from each chapter.
+-- At most four questions in all, and at most the same number from each chapter.
 local function question_blocks(chapters)
     local blocks = {}
     for _, chapter in ipairs(chapters) do

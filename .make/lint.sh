@@ -51,8 +51,8 @@ check_shell() {
     done
 }
 
-# Check expanded shaders as desktop OpenGL and as ES, once for each view that they distinguish. Line 1
-# is #version; line 2 sets VIEW in the course's own dialect.
+# Check expanded shaders as desktop OpenGL and, if they must run in a browser, as ES: once for each view, or once in all
+# if the shader does not distinguish the views. Line 1 is #version; line 2 sets VIEW in the course's own dialect.
 check_glsl() {
     local es variants=()
     for file in "${sources[@]}"; do
@@ -132,11 +132,11 @@ check() { # LANGUAGE SETTINGS FILE...
 }
 
 if [ $# != 0 ]; then
-    output=$(check "$@" 2>&1) || { printf '%s\nlint: faults among %s\n' "$output" "${*:3}"; exit 1; }
+    output=$(check "$@" 2>&1) || { printf '%s\nlint: faults in some of %s\n' "$output" "${*:3}"; exit 1; }
     exit 0
 fi
 
-# ---- All of them ----
+# ---- All sources ----
 
 shopt -s nullglob
 rm -rf "$scratch"
@@ -164,7 +164,8 @@ find common chapters shaders tests docs -name '*.[ch]' -print0 |
 lint shell shellcheck .make/*.sh tests/run tests/*/*.sh .ci/run
 { echo '#version 330 core' && cat shaders/screen.vert; } >"$scratch/screen.vert"
 glslangValidator -S vert "$scratch/screen.vert" || failed=1
-# Expanding every shader takes longer than computing the checksums of all files that it depends on.
+# Expanding every shader takes longer than computing the checksums of all files that the shaders depend on, so a single
+# stamp covers them all.
 whole() {
     { glslangValidator --version && find build/00_first_scene .make/lint.sh shaders chapters -type f -print0 |
         sort -z | xargs -0 sha256sum; } | sha256sum | cut -c 1-64
@@ -172,8 +173,8 @@ whole() {
 before=$(whole)
 touch -c "$stamps/glsl-$before"
 if [ ! -f "$stamps/glsl-$before" ]; then
-    # The harness refuses the uniform picture of this shader of docs/engine.md; tests/course/first_steps.sh draws with
-    # it.
+    # The harness refuses engine_5.frag, a shader of docs/engine.md, because of its uniform `picture`.
+    # tests/course/first_steps.sh draws with it.
     drawn=()
     for shader in chapters/*/*.frag; do
         case $shader in */engine_5.frag) ;; *) drawn+=("$shader") ;; esac

@@ -88,7 +88,7 @@ function minutes(words, a_minute)
     return 5 * int((words / a_minute + 4.999) / 5)
 }
 
-# The reading time of the page, at 200 words of the story or 100 words of the proofs a minute.
+# The reading time of the page, at 200 words of the story or 100 words of the proofs per minute.
 function time(    command, line, word)
 {
     command = "awk -f .make/words.awk \"" page "\""
@@ -129,7 +129,7 @@ function finish()
 
 BEGIN { state = "text" }
 
-# The first line below a marker: either the block begins, or there is none yet.
+# On the first line below a marker, either the old block begins, or there is no block yet.
 state == "marker" {
     begins = marker ~ /^<!-- code:/ ? "^```" : marker ~ /^<!-- time/ ? "^\\*\\*Time\\.\\*\\*" : "^\\|"
     if ($0 ~ begins) {
@@ -147,7 +147,7 @@ state == "listing" {
     next
 }
 
-# After an empty line, a second table may follow: that of the textures.
+# After an empty line, a second table may follow, which lists the textures.
 state == "rows" {
     if ($0 ~ begins) {
         old = old held $0 "\n"

@@ -3,7 +3,7 @@
 # not generated must not be a copy of a source, because it would become outdated. Variables:
 #
 #   sources  the files that a block may have been copied from, separated by spaces
-#   library  the files whose functions and structs must all be listed on some page, or nothing
+#   library  the files whose functions and structs must all be listed on some page; may be empty
 
 function fail(where, text)
 {

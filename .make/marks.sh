@@ -1,11 +1,12 @@
 #!/bin/bash
 # marks.sh - `make marks FILES='hand-in/*/*.frag' EXERCISES='03_1 03_2' CSV=marks.csv`: mark a class. check.sh judges
-# each file. A file whose text is the published solution, or another student's, is marked as such; blanks and comments
+# each file. A file whose text is the published solution, or another student's, is marked as copied; blanks and comments
 # do not count. The table has a row for each student; build/marks/index.html shows each picture beside the right one,
-# and build/marks/wrong.txt lists the wrong ones as scenes for `make lecture`.
+# and build/marks/wrong.txt lists the wrong pictures as scenes for `make lecture`.
 #
-# Each folder is a student. If all files are in one folder, the part of a file's name before the exercise is the
-# student. With several exercises, the name of each file contains its exercise, such as 03_1 in "lamp 03_1.frag".
+# Each folder belongs to one student, and is named after the student. If all files are in one folder, the part of a
+# file's name before the exercise names the student. With several exercises, the name of each file contains its
+# exercise, such as 03_1 in "lamp 03_1.frag".
 #
 # Environment: FILES; EXERCISES; CSV, a file for the table, by default build/marks/marks.csv; CHECK_LIMIT, the seconds
 # of processor time for one picture, by default 20. Exit status: 0 if every file could be judged, 2 if not.
@@ -19,7 +20,8 @@ fail() {
 # shellcheck source=.make/exercises.sh
 . .make/exercises.sh
 
-# Print the exercise that a file answers, or nothing if its name contains none. A single exercise is that of every file.
+# Print the exercise that a file answers, or nothing if its name contains none. If there is only one exercise, every
+# file answers it.
 exercise_of() { # FILE
     local name=${1##*/} exercise
     for exercise in "${exercises[@]}"; do
@@ -36,7 +38,7 @@ student_of() { # FILE
     echo "${name#"$common"}"
 }
 
-# Print the longest common beginning of the lines, up to a '/'.
+# Print the longest common prefix of the lines that ends in '/'.
 common_folder() {
     awk 'NR == 1 { common = $0 }
         { while (substr($0, 1, length(common)) != common) common = substr(common, 1, length(common) - 1) }
@@ -46,7 +48,7 @@ common_folder() {
 read -r -a exercises <<<"${EXERCISES-}"
 [ ${#exercises[@]} -gt 0 ] || fail "which exercises? For example: make marks FILES='hand-in/*/*.frag' EXERCISES='03_1 03_2' CSV=marks.csv"
 for exercise in "${exercises[@]}"; do
-    exercises | grep -qxF -e "$exercise" || fail "EXERCISES: $exercise: no solution to compare with; there are $(exercises | paste -s -d ' ' -)"
+    exercises | grep -qxF -e "$exercise" || fail "EXERCISES: $exercise: no solution to compare with; these exercises have one: $(exercises | paste -s -d ' ' -)"
 done
 files=()
 [ -z "${FILES-}" ] || FILE='' find_files
@@ -54,7 +56,7 @@ files=()
 kept=()
 for file in "${files[@]}"; do
     if [[ "$file" == *[$'\t\n']* ]]; then
-        printf '%q: the name has a tab or a line break: rename the file: not marked\n' "$file" >&2
+        printf '%q: the name has a tab or a line break, so the file is not marked: rename it\n' "$file" >&2
     else
         kept+=("$file")
     fi
@@ -69,8 +71,8 @@ folder=build/marks table=${CSV:-build/marks/marks.csv}
 rm -rf "$folder" && mkdir -p "$folder" || exit 2
 { : >"$table"; } 2>/dev/null || fail "CSV=$table: cannot be written"
 
-# A check in the background does not receive this script's signals. It is ended with the script, after its current
-# picture.
+# A check in the background does not receive this script's signals. A signal that ends the script also ends the check,
+# after its current picture.
 judge=
 trap '[ -z "$judge" ] || kill "$judge" 2>/dev/null; exit 2' HUP INT TERM
 # Write a line for each file: exercise, file, mark, verdict, picture, right picture.
@@ -103,12 +105,12 @@ while IFS=$'\t' read -r exercise file mark verdict picture right; do
     printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$exercise" "$(student_of "$file")" "$mark" "$verdict" "$picture" "$text" "$file" || exit 2
 done <"$folder/judged" >"$folder/named"
 sort -t $'\t' -k 2,2 -k 1,1 "$folder/named" | CSV=$table awk -F '\t' -v page="$folder/index.html" -v exercises="${exercises[*]}" '
-    function cell(s) { if (s ~ /^[-=+@]/) s = "\047" s; gsub(/"/, "\"\"", s); return "\"" s "\"" } # a spreadsheet must not take it for a formula
+    function cell(s) { if (s ~ /^[-=+@]/) s = "\047" s; gsub(/"/, "\"\"", s); return "\"" s "\"" } # a spreadsheet must not take the text for a formula
     function html(s) { gsub(/&/, "\\&amp;", s); gsub(/</, "\\&lt;", s); gsub(/>/, "\\&gt;", s); return s }
     { line[NR] = $0 }
     !(($1, $6, $2) in had) { had[$1, $6, $2]; who[$1, $6] = who[$1, $6] (who[$1, $6] == "" ? "" : ", ") $2; count[$1, $6]++ }
     END {
-        csv = ENVIRON["CSV"] # -v would interpret its backslashes
+        csv = ENVIRON["CSV"] # -v would interpret the backslashes of the path
         wanted = split(exercises, exercise, " ")
         printf "student" >csv
         for (e = 1; e <= wanted; e++) printf ",%s,%s", exercise[e], cell(exercise[e] " remark") >csv
@@ -147,5 +149,5 @@ for exercise in "${exercises[@]}"; do
 done
 rm -rf "$folder/named" "$folder/judged"
 find "$folder/pictures" -depth -type d -empty -delete
-echo "The table: $table. The pictures: $folder/index.html"
+echo "The table is $table; the pictures are in $folder/index.html."
 [ ! -e "$folder/wrong.txt" ] || beside "$folder/wrong.txt"

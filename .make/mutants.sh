@@ -42,7 +42,8 @@ trap 'rm -rf "$scratch"' EXIT
 trap 'exit 1' HUP INT TERM
 copy=$scratch/copy
 
-# Copy the project as hard links. A file must be removed from the copy before it is written.
+# Copy the project as hard links, and replace a line of one file. That file is first removed from the copy, because
+# writing to a hard link would change the original.
 open_copy() { # FILE LINE NEW
     rm -rf "$copy"
     mkdir -p "$copy/tests" "$copy/build/tests"
@@ -59,7 +60,7 @@ limited() { # ROOT COMMAND...
     ) >"$scratch/log" 2>&1
 }
 
-# Whether a test passes without a mutation, and its time, are determined once for each build of the test.
+# Determine once for each build of a test whether it passes without a mutation, and how long it takes.
 mkdir -p build/mutants
 usable() { # PROGRAM
     local times=build/mutants/${1//\//_} before after
@@ -133,7 +134,7 @@ shader_suites_of() { # FILE
     awk -v file="$1" '$2 == file && /^tests/ { print $1 }
         $2 == file && sub(/\.frag$/, "", $1) && sub(/^chapters\//, "", $1) && $1 !~ /\// { print "\"" $1 "\"" }' \
         "$scratch/includes" >"$scratch/frags"
-    printf '\\"%s\\"\n' "${1##*/}" >>"$scratch/frags" # a suite may write its shader in a string
+    printf '\\"%s\\"\n' "${1##*/}" >>"$scratch/frags" # a suite may contain its shader as a string
     grep -l -F -f "$scratch/frags" tests/*/*.c | sed 's,^tests/lib/,tests/shaders/,' | sort -u | while read -r suite; do
         suite=${suite#tests/}
         [ ! -x "build/tests/${suite%.c}" ] || echo "${suite%.c}"
@@ -194,13 +195,13 @@ judge_c() { # FILE
         link_with "$scratch/mutant.o" "$suite" || { cp "$scratch/log" build/mutants/link.log; echo refused; return; }
         limited "$copy" "$copy/build/tests/$suite" || { echo caught; return; }
     done
-    # The harness also draws the views, so draw some pictures of them.
+    # The harness also draws the views, so compare some pictures of them.
     read -r -d '' -a names < <(pictures_of shaders/views.glsl)
     link_with "$scratch/mutant.o" tools/draw || { echo refused; return; }
     draw_judges "$copy/build/tests/tools/draw" "${names[@]}"
 }
 
-# ---- All of them ----
+# ---- All mutations ----
 
 make --no-print-directory -n V=1 -W build/tests/unit/camera.o build/tests/unit/camera | tail -n 1 >"$scratch/link"
 caught=0 judged=0

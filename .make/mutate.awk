@@ -4,15 +4,16 @@
 #
 # This prints up to count mutations, each as a line of file, line number, old line and new line, separated by byte 31.
 # Comments, strings and preprocessor lines are never changed. A line is chosen first, then one of its mutations. The
-# random generator is our own, because every awk has a different rand.
+# script has its own random generator, because every awk has a different rand.
 
-function random(n) # 0 to n - 1; the products stay below 2^53
+function random(n) # from 0 to n - 1; the products stay below 2^53, so they are exact
 {
     state = (state * 16807) % 2147483647
     return int(state / 2147483647 * n)
 }
 
-# The line with comments and strings blanked out, of the same length.
+# The code of a line: strings and /* */ comments are replaced with blanks of the same length, and a // comment is cut
+# off.
 function code_of(line,    i, c, two, quote, out)
 {
     out = ""
@@ -49,7 +50,8 @@ function mutation(at, size, text)
     change[lines, ++changes[lines]] = substr($0, 1, at - 1) text substr($0, at + size)
 }
 
-# The position of the bracket that closes the one at 'at', or 0; comma receives the positions of commas at its level.
+# The position of the bracket that closes the bracket at position `at`, or 0 if it is not on this line. comma receives
+# the positions of the commas between the two, outside inner brackets.
 function closing(code, at,    i, c, depth)
 {
     comma_count = 0

@@ -3,8 +3,9 @@
 
 local pages = {}
 
--- The target of a link in a page: its kind, its file and its anchor ('' for none). The kind is 'outside'; 'here', the
--- same page; 'page', a page of docs/; or 'file', a file of the project, whose path is relative to the project's root.
+-- The target of a link in a page: its kind, its file and its anchor ('' if there is none). The kind is 'outside';
+-- 'here', the same page; 'page', a page of docs/; or 'file', a file of the project, whose path is relative to the
+-- project's root.
 function pages.target(target)
     if target:match('^%a+:') then
         return 'outside', target, ''

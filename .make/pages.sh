@@ -1,6 +1,6 @@
 # shellcheck shell=sh
-# pages.sh - sourced by the scripts that typeset all pages. In order: how to read the course, the chapters,
-# the reference pages, the guide for teachers, and the pages on the code.
+# pages.sh - lists all pages, for the scripts that typeset them and source this file. The order is: how to read the
+# course, the chapters, the reference pages, the guide for teachers, and the pages on the code.
 
 pages() {
     for page in docs/README.md docs/[0-9][0-9]_*.md; do

@@ -1,6 +1,7 @@
 #!/bin/sh
 # questions.sh - `make questions`: write the exit questions of docs/questions.txt for learning platforms, as GIFT and as
-# Moodle's XML, into build/questions/. The tests set QUESTIONS and QUESTIONS_FOLDER.
+# Moodle's XML, into build/questions/. QUESTIONS and QUESTIONS_FOLDER replace the file and the folder; the tests set
+# both.
 set -eu
 export LC_ALL=C
 source=${QUESTIONS:-docs/questions.txt} folder=${QUESTIONS_FOLDER:-build/questions}

@@ -2,11 +2,12 @@
 # setup.sh [--check|--all] SET... - make sure that this machine has everything that the sets need.
 #
 # Sets: run (build and render), test, lint, fuzz, book, web (the programs in a browser), windows (the cross build), wine
-# (to try it), student (the course for students), fresh (bare machines to test on).
+# (to test the cross build), student (the course for students), fresh (bare machines to test on).
 #
-# If nothing is missing, this only looks for files and commands, and uses neither the network nor the package manager.
-# As root, this script installs whatever is missing; with a terminal and sudo, it says what it will install and lets
-# sudo ask for the password; otherwise it prints one command and fails.
+# If nothing is missing, this script only looks for files and commands, and uses neither the network nor the package
+# manager. As root, it installs whatever is missing. With a terminal, it says what it will install, and installs it with
+# sudo, which asks for the password, or with Homebrew or MSYS2, which need no special rights. Otherwise it prints one
+# command and fails.
 #   --check  install nothing
 #   --all    also install packages that are useful but not required
 # ShellCheck does not see that the functions has_... are called, because they are passed to need by name.
@@ -51,7 +52,7 @@ if [ "$(uname)" = Darwin ]; then
     fi
 fi
 
-# Windows has MSYS2's pacman, whose packages differ from Arch's; each of its shells builds a different kind of program.
+# Windows has MSYS2's pacman, whose packages differ from Arch's; each MSYS2 shell builds a different kind of program.
 if [ "${OS-}" = Windows_NT ]; then
     column=5
     if [ "$manager" != pacman ] || [ "${MSYSTEM-}" != UCRT64 ]; then
@@ -78,7 +79,7 @@ names_here() {
     done
 }
 
-# need PURPOSE PACKAGES TEST...: if the test fails, the packages are missing. Several sets may need the same.
+# need PURPOSE PACKAGES TEST...: if the test fails, record that the packages are missing, only once for each purpose.
 need() {
     purpose=$1 names=$2
     shift 2
@@ -86,7 +87,7 @@ need() {
     *", $purpose, "*) return ;;
     esac
     "$@" >/dev/null 2>&1 && return
-    # If the package manager has no such package, everything that needs it is skipped, with a message.
+    # If the package manager has no such package, everything that needs the package is skipped later, with a message.
     found=$(names_here "$names")
     [ "$manager" != none ] && [ -z "$found" ] && return
     packages=$packages$found
@@ -218,7 +219,7 @@ need_windows() {
     need 'zip' 'zip|-|-|-' has_command zip
 }
 
-# The programs for Windows are tried with Wine.
+# The programs for Windows are tested with Wine.
 need_wine() {
     need_windows
     need_test
@@ -226,7 +227,7 @@ need_wine() {
     need 'unzip' 'unzip|-|-|-' has_command unzip
 }
 
-# The course for students is packed from a checkout.
+# The course for students is packed from a git checkout.
 need_student() {
     need_run
     need 'git' 'git|git|git|git' has_command git

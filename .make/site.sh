@@ -4,14 +4,14 @@
 set -eu
 export LC_ALL=C TZ=UTC SOURCE_DATE_EPOCH=0
 . .make/pages.sh
-out=${SITE_FOLDER:-build/site} source=${SITE_SOURCE:-docs/web} # the tests set these to build another site
+out=${SITE_FOLDER:-build/site} source=${SITE_SOURCE:-docs/web} # the variables replace the target and the source folder
 
 rm -rf "$out" "$out.parts" "$out.zip"
 mkdir -p "$out/fonts"
 # shellcheck disable=SC2046
 node "$source/site.mjs" "$out" $(pages)
 
-# The programs, in the layout of `make web`.
+# Copy the programs, in the layout of `make web`.
 (cd build/web && find . -type f ! -path './objects/*' ! -name '*.map') | while read -r file; do
     mkdir -p "$out/$(dirname "$file")"
     cp "build/web/$file" "$out/$file"

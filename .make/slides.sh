@@ -1,6 +1,6 @@
 #!/bin/sh
-# slides.sh - `make slides`: typeset the scenes of a list as slides, build/slides.pdf. A slide has the picture of a
-# scene, and the scene's sentence below.
+# slides.sh - `make slides`: typeset the scenes of a list as slides, build/slides.pdf. Each slide has the picture of a
+# scene, with the scene's sentence below it.
 #
 # Environment: LIST, a list of scenes; the default is docs/lecture.txt.
 set -u

@@ -1,6 +1,6 @@
 # source.awk - find the definitions in a C or GLSL source, for the scripts that maintain the pages.
 
-# A line of a source, with strings blanked and without comments, so that only its code is counted.
+# A line of a source without its strings and comments, so that only brackets in its code are counted.
 function bare(line)
 {
     gsub(/'(\\.|[^'\\])'/, "0", line)
@@ -26,7 +26,7 @@ function count(text, pattern)
     return gsub(pattern, "", text)
 }
 
-# Record that file defines name from line first to line last. shape: function, struct or other.
+# Record that file defines name from line first to line last. shape is function, struct or other.
 function define(file, name, first, last, shape)
 {
     definitions[file, name]++
@@ -55,7 +55,8 @@ function define_statement(file, text, first, last,    at, head, mark, piece, sha
             define(file, substr(piece[i], RSTART), first, last, shape)
 }
 
-# Read a file, only once, and record its definitions. Returns the number of its lines, or -1 if it cannot be read.
+# Read a file, only once, and record its definitions. Returns the number of its lines, or -1 if the file cannot be read
+# or is empty.
 function read_source(file,    line, n, code, first, text, depth, word)
 {
     if (file in lines)
@@ -71,7 +72,7 @@ function read_source(file,    line, n, code, first, text, depth, word)
         code = bare(line)
         if (line ~ /^#define / && split(line, word, /[ (]/) >= 2)
             define(file, word[2], n, n, "other")
-        if (line ~ /^#/ || (!first && code ~ /^[A-Z_]+\([A-Z_]+\)$/)) # the second condition: a macro call alone
+        if (line ~ /^#/ || (!first && code ~ /^[A-Z_]+\([A-Z_]+\)$/)) # a directive, or a macro call alone on a line
             continue
         if (!first && code ~ /^[A-Za-z_]/) {
             first = n

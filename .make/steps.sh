@@ -1,10 +1,10 @@
 #!/bin/sh
 # steps.sh - `make benchmark STEPS=1`: measure the scene of each chapter with the methods of chapter 16, one by one and
-# together: the evaluations per pixel, march / bound, and the time of a frame relative to that of the chapter itself. If
-# there is an experiment 16_frame_NN, its frame is measured too.
+# together. The table has the evaluations per pixel, march / bound (defined in docs/benchmark.md), and the time of a
+# frame relative to the chapter itself. If there is an experiment 16_frame_NN, its frame is measured too.
 #
-# Environment: CHAPTER, a single chapter; ROUNDS and FRAMES, the number of measurements and the number of frames in
-# each; WRITE=1 writes the table to docs/benchmark.md.
+# Environment: CHAPTER, a single chapter to measure; ROUNDS, the number of measurements, and FRAMES, the number of
+# frames in each; WRITE=1, to write the table of all chapters to docs/benchmark.md.
 set -u
 . .make/chapters.sh
 
@@ -15,8 +15,8 @@ work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 
-# Print the largest threshold of the first march, in GLSL, or nothing for a chapter that does not march its scene with
-# march or marchCone.
+# Print the largest threshold of the first march as a GLSL expression, or nothing for a chapter that does not march its
+# scene with march or marchCone.
 margin() {
     case $1 in
     01* | 02* | 03* | 04* | 05* | 08*) echo hitThreshold ;;
@@ -26,8 +26,8 @@ margin() {
     esac
 }
 
-# Print the name of a file that draws the chapter's scene with these methods: the experiment 16_scene_NN if there is
-# one, otherwise a new file.
+# Print the name of a file that draws the chapter's scene with the methods of chapter 16: the experiment 16_scene_NN if
+# there is one, otherwise a new file.
 scene() { # STEM
     own=chapters/experiments/16_scene_${1%%_*}.frag
     if [ -e "$own" ]; then
@@ -42,8 +42,8 @@ scene() { # STEM
     echo "$work/means_$1.frag"
 }
 
-# Print the name of a file that does the same without longer steps, with the loop of marchCone, which computes less in
-# each step.
+# Print the name of a file that draws the same scene without the longer steps of marchRelaxed, using the loop of
+# marchCone, which computes less in each step.
 plain() { # STEM FILE
     case $2 in "$work"/*) included=${2##*/} ;; *) included=${2#chapters/} ;; esac
     {

@@ -18,10 +18,10 @@ fail() {
 # shellcheck source=.make/exercises.sh
 . .make/exercises.sh
 
-[ -d chapters/solutions ] || fail 'this is the course for students: make student belongs to the whole course'
-git ls-files --error-unmatch Makefile >/dev/null 2>&1 || fail 'make student copies the files that git tracks, and this folder is not a checkout of git: use git clone'
+[ -d chapters/solutions ] || fail 'this is the course for students: make student requires the whole course'
+git ls-files --error-unmatch Makefile >/dev/null 2>&1 || fail 'make student copies the files that git tracks, but this folder is not a git checkout: use git clone'
 
-# ---- What a check needs of the solutions ----
+# ---- The parts of the solutions that a check needs ----
 
 if [ ! -e "$stored/begun" ] || [ -n "$(find chapters shaders common tests/course/checks.txt tests/pictures/images.txt -newer "$stored/begun" | head -n 1)" ]; then
     rm -rf "$stored" && mkdir -p "$stored" && touch "$stored/begun"
@@ -52,7 +52,7 @@ for shader in openness shadows; do
         !formula { print }
         /^}/ { formula = 0 }' "$OLDPWD/tests/shaders/$shader.frag" >tests/shaders/$shader.frag
 done
-# Remove the suites that need what is left out.
+# Remove the suites that need files that are left out.
 grep -lE 'solutions/|teaching[.]md|questions[.]txt' tests/*/*.sh tests/*/*.mjs | xargs rm -f
 cp -R .make/student/folder/. .
 cd "$OLDPWD"
@@ -70,7 +70,7 @@ done
 
 # Write the list of the exercises and their pictures.
 {
-    printf '# What make check compares: an exercise and the options of a picture, a line each. The right pictures are in\n# tests/course/stored/.\n\n'
+    printf '# What make check compares: each line has an exercise and the options of a picture. The right pictures are in\n# tests/course/stored/.\n\n'
     for exercise in $(exercises); do
         pictures_of "$(basename "$(echo chapters/"${exercise%_*}"_*.c)" .c)" "${exercise#*_}" | sed "s/^ */$exercise /"
     done

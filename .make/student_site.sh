@@ -1,6 +1,6 @@
 #!/bin/sh
-# student_site.sh - `make site STUDENT=1`: build the website of the course for students in build/student/. make calls it after
-# the module is built, the node packages are installed and `make student` has written the folder.
+# student_site.sh - `make site STUDENT=1`: build the website of the course for students in build/student/. make calls it
+# after the module is built, the node packages are installed and `make student` has written the folder.
 set -eu
 course=build/student/ray-marching
 mkdir -p "$course/build/web"

@@ -10,7 +10,7 @@ same_pixels() { # A.png B.png
 
 for program in shaders/textures/*.c; do
     name=$(basename "$program" .c)
-    [ -e "shaders/textures/$name.h" ] && continue # a source with a header contains functions for the others
+    [ -e "shaders/textures/$name.h" ] && continue # a source with a header contains functions for the other sources
     file=shaders/textures/$name.png new=build/shaders/textures/$name.png
     "build/shaders/textures/$name" >"$new" || exit 1
     # compare ignores the alpha channel, so a file with one is the same only if its bytes are.

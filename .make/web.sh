@@ -1,14 +1,15 @@
 #!/bin/bash
-# web.sh - put the files that the module reads beside it, into build/web/. make calls it after the module is built.
+# web.sh - copy the files that the module reads into build/web/, beside the module. make calls this script after the
+# module is built.
 #
 # course.json contains the texts that every chapter needs, and the names of the files that only some chapters need.
-# These are in course/ and are loaded when a command line needs them.
+# The latter are in course/, and are loaded when a command line needs them.
 set -eu
 export LC_ALL=C
-out=${WEB_FOLDER:-build/web} source=${SITE_SOURCE:-docs/web} # the tests set these to build another site elsewhere
+out=${WEB_FOLDER:-build/web} source=${SITE_SOURCE:-docs/web} # the variables replace the target and the source folder
 
 rm -rf "$out/course"
-# Files of the library that only the last chapters need.
+# These files of the library are needed only from chapter 17 on.
 rare='shaders/clouds.glsl shaders/land.glsl shaders/night.glsl shaders/prism.glsl shaders/stored.glsl shaders/water.glsl'
 # shellcheck disable=SC2086 # names without blanks
 { printf '%s\n' $rare; find chapters shaders/textures -name '*.frag' -o -name '*.glsl' -o -name '*.png'; } | sort >"$out/later.txt"
@@ -24,7 +25,8 @@ node "$source/pack.mjs" "$out/later.txt" "$out/course.json" "${common[@]}"
 rm "$out/later.txt"
 cp "$source/live.css" "$out/"
 .make/exercises.sh >"$out/exercises.txt"
-# Scripts that are loaded together become one file, without comments. Those that others import too stay separate files.
+# Scripts that are loaded together become one file, without comments. Scripts that other files import too remain
+# separate.
 NODE_PATH=build/node/node_modules build/node/node_modules/.bin/esbuild "$source"/{live,stage,check,program,editor}.js --bundle --minify \
     --format=esm --external:./{harness,program,stage,check,editor}.js --log-level=warning --outdir="$out"
 build/node/node_modules/.bin/esbuild "$out/harness.js" --minify --format=esm --log-level=warning --allow-overwrite --outfile="$out/harness.js"
@@ -34,4 +36,4 @@ for file in harness.wasm harness.js course.json {live,stage,check,program}.js ed
     printf '%-14s %7d bytes, %6d compressed\n' "$file" "$(wc -c <"$out/$file")" "$packed"
     [[ $file =~ ^(editor|exercises) ]] || total=$((total + packed))
 done
-echo "together $total without the editor and the list of exercises"
+echo "together $total compressed, without the editor and the list of exercises"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# windows_libraries.sh - build the libraries and headers of the programs for Windows, on Debian, for the cross build:
-# zlib, libpng, GLFW and, for the tests, cmocka, each compiled from Debian's source package; cglm and stb
-# consist only of headers. Everything goes to build/windows/prefix, with the files for pkg-config and the licences.
+# windows_libraries.sh - build the libraries and headers of the programs for Windows, on Debian, for the cross build.
+# zlib, libpng, GLFW and, for the tests, cmocka are compiled from Debian's source packages; cglm and stb consist only of
+# headers. Everything is installed into build/windows/prefix, with the files for pkg-config and the licences.
 #
 # Environment: CC, the cross compiler with its flags. No special rights are needed, because the lists of the source
 # packages are kept in build/windows/sources. The libraries are built once, and again if this script, the compiler or
@@ -35,9 +35,9 @@ fail() {
     exit 1
 }
 
-# ---- Debian's sources, with our own lists ----
+# ---- Debian's sources, with separate package lists ----
 
-# source_lists: list the source packages of the machine's own package sources.
+# source_lists: download lists of the source packages that this machine's package sources offer.
 source_lists() {
     rm -f "$sources"/parts/*
     for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources; do
@@ -57,7 +57,7 @@ END_OF_CONFIGURATION
     apt-get -q update >"$sources/log" 2>&1 || true
 }
 
-# unpack PACKAGE: unpack into sources/PACKAGE/tree the newest version that can be fetched: an archive may list a version
+# unpack PACKAGE: unpack the newest version that can be fetched into sources/PACKAGE/tree. An archive may list a version
 # that it no longer has, or does not have yet.
 unpack() {
     [ ! -e "$sources/$1/done" ] || return 0
@@ -120,7 +120,7 @@ cp -R "$glfw/include/GLFW" "$prefix/include"
 set -- "$glfw"/src/context.c "$glfw"/src/init.c "$glfw"/src/input.c "$glfw"/src/monitor.c "$glfw"/src/vulkan.c \
     "$glfw"/src/window.c "$glfw"/src/win32_*.c "$glfw"/src/wgl_context.c "$glfw"/src/egl_context.c \
     "$glfw"/src/osmesa_context.c
-# From version 3.4 on, one library contains several platforms.
+# From GLFW 3.4 on, one library supports several platforms.
 [ ! -e "$glfw/src/platform.c" ] || set -- "$@" "$glfw"/src/platform.c "$glfw"/src/null_*.c
 library glfw3 '-D_GLFW_WIN32 -DUNICODE -D_UNICODE -DWINVER=0x0601 -D_WIN32_WINNT=0x0601' "$@"
 describe glfw3 '-lglfw3 -lgdi32 -luser32 -lshell32'

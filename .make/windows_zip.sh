@@ -36,7 +36,7 @@ done
 
 if [ -d build/site ]; then
     cp -R build/site "$out/site"
-    pages='site\index.html. Programs do not run in pages that are opened as files: use those beside this file.'
+    pages='site\index.html. Programs do not run in pages that are opened as files: use the programs beside this file.'
 else
     mkdir -p "$out/docs/figures"
     cp docs/*.md "$out/docs"

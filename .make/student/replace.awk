@@ -1,5 +1,5 @@
-# replace.awk FILE - print the file with the sentences replaced that a list has for it. Variables: name, the file's name
-# in the list; list, the path of replaced.txt. Fails if a sentence is not found.
+# replace.awk FILE - print the file after replacing the sentences that a list gives for it. Variables: name, the file's
+# name in the list; list, the path of replaced.txt. Fails if a sentence is not found.
 BEGIN {
     while ((getline line < list) > 0)
         if (line !~ /^#/ && index(line, name " | ") == 1) {

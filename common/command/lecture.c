@@ -10,7 +10,7 @@
 
 struct scene {
     int line;          // its line number in the list
-    int part;          // index of its part, from 1; 0 before the first one
+    int part;          // index of its part, from 1; 0 if no part has begun yet
     const char *text;  // its line in the list: the chapter and the options
     char *word[WORDS]; // argv; the strings are in words
     char *words;       // owned
@@ -30,8 +30,8 @@ struct lecture {
     struct context context;
     struct window *window; // NULL until it is open
     int at;                // the scene that the speaker has reached
-    int shown;             // the scene that is shown; another one if scene at has failed
-    int tried;             // the last scene that compile_ahead has tried
+    int shown;             // the scene that is shown; differs from at if that one has failed
+    int tried;             // the last scene that compile_ahead has tried to compile
 };
 
 // ---- The list ----
@@ -65,7 +65,7 @@ static int split(struct scene *scene, char *to)
     return count;
 }
 
-// Find the chapter of a number or stem: "03", "3" or "03_shadows". Returns NULL after reporting the
+// Find a chapter by its number or stem: "03", "3" or "03_shadows". Returns NULL after reporting the
 // error.
 static const struct lecture_chapter *find(const struct lecture_chapter *chapters, int count,
                                           const char *name)
@@ -78,8 +78,8 @@ static const struct lecture_chapter *find(const struct lecture_chapter *chapters
             (length == 1 && stem[0] == '0' && stem[1] == name[0]))
             return &chapters[i];
     }
-    report("'%s': no such chapter: a scene begins with a chapter's number, as in 03 --view steps, "
-           "and a sentence with a blank",
+    report("'%s': no such chapter: a scene begins with a chapter's number, as in 03 --view steps; "
+           "a sentence begins with a blank",
            name);
     return NULL;
 }
@@ -264,8 +264,8 @@ static bool draw_small(struct scene *scene)
     return renderer_draw(&scene->run.picture[0].renderer, &inputs, 0, inputs.height);
 }
 
-// Free the pictures of all scenes but three: the one that is shown, and the nearest ones before and
-// after it that have other shaders.
+// Free the pictures of all scenes except three: the scene that is shown, and the nearest scenes
+// before and after it whose shaders or textures differ.
 static void forget_far(struct lecture *lecture)
 {
     const struct scene *here = &lecture->scene[lecture->shown];
@@ -279,7 +279,7 @@ static void forget_far(struct lecture *lecture)
             loader_close(&lecture->scene[i].run.picture[k]);
 }
 
-// Compile the next scene that has other shaders, unless that has been tried before.
+// Compile the next scene whose shaders or textures differ, unless that has been tried before.
 static void compile_ahead(struct lecture *lecture)
 {
     int next = lecture->at;

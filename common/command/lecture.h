@@ -24,9 +24,9 @@ struct lecture_chapter {
 struct lecture;
 
 // Read a list and all its shaders.
-//   lecture          receives what lecture_close frees, whatever the status is
-//   path             of the list
-//   chapters, count  must outlive the lecture
+//   lecture          receives the lecture; close it with lecture_close, also after an error
+//   path             the file that contains the list
+//   chapters, count  the chapters, which must outlive the lecture, and their number
 // Returns RUN_DONE. After reporting the error, returns RUN_NOT_DONE if a shader cannot be read, or
 // RUN_WRONG_COMMAND_LINE if the list is missing or has no scenes, or has an unknown chapter, a
 // wrong option, an option that is not for a window, an unclosed quote, or a sentence without a
@@ -45,10 +45,10 @@ int lecture_open(struct lecture *lecture);
 // The window of the lecture, whose loop the caller runs; NULL before the lecture is open.
 struct window *lecture_window(const struct lecture *lecture);
 
-// Call this after each turn of the window's loop. It shows the scene that the speaker has asked for
-// or, in a turn that draws nothing, compiles the next scene. If a scene cannot be shown, the error
-// is reported, in the window too, and the current scene stays.
-//   of  a struct lecture
+// Call this after each iteration of the window's main loop. It shows the scene that the speaker has
+// asked for or, if the iteration drew nothing, compiles the next scene. If a scene cannot be shown,
+// the error is reported, in the window too, and the current scene stays.
+//   of  the lecture, a struct lecture *
 void lecture_follow(void *of);
 
 void lecture_close(struct lecture *lecture);

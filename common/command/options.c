@@ -95,7 +95,7 @@ static bool check_probes(const struct options *options)
     return true;
 }
 
-// Check the options about the ray that a picture shows: in a view of its march, or in the overlay.
+// Check the options for the ray that a picture shows, in a view of its march or in the overlay.
 static bool check_ray(const struct options *options)
 {
     bool view = shader_shows_ray(options->view);

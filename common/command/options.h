@@ -10,9 +10,9 @@
 #include "picture/sculpture.h"
 #include "shader/dialect.h"
 
-#define OPTIONS_SIZE_LIMIT    16384 // pixels of the width and of the height
-#define OPTIONS_SAMPLES_LIMIT 8     // samples along each side of a pixel
-#define OPTIONS_LIMIT         1e9   // of times and camera values; floats near it are 64 apart
+#define OPTIONS_SIZE_LIMIT    16384 // maximum width and height in pixels
+#define OPTIONS_SAMPLES_LIMIT 8     // maximum number of samples along each side of a pixel
+#define OPTIONS_LIMIT         1e9   // largest time or camera value; floats near it are 64 apart
 
 enum options_action {
     OPTIONS_RUN,          // a window, a file, a probe or a benchmark
@@ -35,13 +35,13 @@ struct options {
     double time;           // seconds
     int frames;            // 1 + the index of the last picture of the film; 0 if there is no film
     int first_frame;       // index of the first picture to write
-    double fps;            // pictures per second of time
+    double fps;            // pictures per second
     int benchmark;         // frames to measure, or 0
     bool json;             // --benchmark=json
     const char **settings; // NAME=VALUE, in the order given; owned, see options_free
     int setting_count;
-    const char *compare;   // the second shader's file; NULL if it is the first shader's
-    int shared_settings;   // the number of settings, from the first, that apply to both pictures
+    const char *compare;   // the second shader's file; NULL if both pictures use the first
+    int shared_settings;   // the number of settings before --compare, which apply to both pictures
     double divider;        // fraction of the width that the first picture fills, 0 to 1
     const char **textures; // NAME=FILE, in the order given; owned
     int texture_count;
@@ -50,7 +50,7 @@ struct options {
     struct camera camera;    // meaningful when has_camera
     int samples;             // 1 to OPTIONS_SAMPLES_LIMIT, along each side of a pixel
     enum shader_view view;
-    int (*probe)[2];         // pixels, 0,0 bottom left; pictures show the ray of the last one
+    int (*probe)[2];         // pixels, 0,0 bottom left; a picture shows the ray of the last pixel
     const char **probe_text; // the pixels as they were typed
     int probe_count;
     enum context_backend backend;
@@ -61,8 +61,8 @@ struct options {
     const char *root;   // --root; NULL if it is found from the program's folder
 };
 
-// Read the command line: syntax, ranges, and what options require of each other. Names and ranges
-// of parameters are not checked, because only the shader knows them.
+// Read the command line, and check its syntax, its ranges, and what the options require of each
+// other. Names and ranges of parameters are not checked, because only the shader knows them.
 //   options  receives the values; the caller frees them with options_free
 // Returns false after reporting the error in one line; the exit status is then 2.
 bool options_parse(struct options *options, int argc, char **argv);
@@ -87,7 +87,7 @@ extern const struct options_row options_rows[];
 
 // Print the text of --help (options_help.c).
 //   program       argv[0]
-//   title, shows  the chapter's
+//   title, shows  the chapter's title, and a sentence on what it shows
 void options_print_help(FILE *file, const char *program, const char *title, const char *shows);
 
 #endif

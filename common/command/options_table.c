@@ -230,7 +230,7 @@ static bool set_view(struct options *options, const char *text)
         snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", i > 0 ? ", " : "",
                  shader_view_name((enum shader_view)i));
     return shader_view_from_name(text, &options->view) ||
-           refuse("view", text, "unknown view; there are %s", names);
+           refuse("view", text, "unknown view; the views are %s", names);
 }
 
 static bool set_probe(struct options *options, const char *text)

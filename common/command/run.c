@@ -109,8 +109,8 @@ static int read_shader(struct run *run, int number, const char *path)
     return RUN_DONE;
 }
 
-// Check that the first shader has the tool's texture, and that the strokes are in the range of its
-// parameter. Returns false after reporting the error.
+// Check that the first shader has the tool's texture and parameter, and that the amounts of all
+// strokes are in the parameter's range. Returns false after reporting the error.
 static bool check_strokes(const struct run *run)
 {
     const struct strokes *strokes = &run->options.strokes;
@@ -202,8 +202,8 @@ struct window_start run_window_start(struct run *run)
                                  .shown = options->step + 1};
 }
 
-// Check that a picture would not overwrite a file that a shader was read from. Returns false after
-// reporting the error.
+// Check that a picture would not overwrite a file of a shader, including its textures. Returns
+// false after reporting the error.
 static bool check_source(const struct shader_source *source, const char *path)
 {
     struct platform_file target, read;
@@ -214,7 +214,7 @@ static bool check_source(const struct shader_source *source, const char *path)
     return true;
 }
 
-// Check the same for the sources of both pictures and for the vertex shader.
+// Check that a picture would not overwrite a file of either shader, or the vertex shader.
 static bool check_unread(const struct run *run, const char *path)
 {
     char vertex[PLATFORM_PATH + 32];

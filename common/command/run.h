@@ -12,17 +12,17 @@
 #include "platform.h"
 #include "window/window.h"
 
-// Exit statuses: succeeded; failed; the command line is wrong; no window can be opened here.
+// Exit statuses: success; failure; a wrong command line; no window can be opened here.
 enum { RUN_DONE = 0, RUN_NOT_DONE = 1, RUN_WRONG_COMMAND_LINE = 2, RUN_NO_WINDOW = 3 };
 
-// A run of zeros is closed.
+// A zero-initialised run is closed.
 struct run {
     const char *stem;                  // the chapter's stem
-    const struct sculpture_tool *tool; // the chapter's tool, or NULL
+    const struct sculpture_tool *tool; // the chapter's tool; NULL if it has none
     const char *title; // the chapter's title, or the name of the file given with --shader
     struct options options;
     char root[PLATFORM_PATH];     // the project's folder
-    char shader[PLATFORM_PATH];   // the shader to run
+    char shader[PLATFORM_PATH];   // the path of the shader to run
     struct loader picture[2];     // the second picture exists only with --compare
     struct comparison comparison; // of the two pictures
     struct context context;
@@ -48,8 +48,8 @@ bool run_find_root(struct run *run);
 // Find the shader, once the root is known. Returns false after reporting the error.
 bool run_find_shader(struct run *run);
 
-// Read the shaders and their parameters, with the values and pictures of the command line. Returns
-// the exit status.
+// Read the shaders, and set their parameters and textures from the command line. Returns the exit
+// status, after reporting an error.
 int run_read_shaders(struct run *run);
 
 // Have the driver start compiling the shaders that were read; shader_ready tells when run_compile
@@ -76,8 +76,8 @@ int run_end(int status);
 
 // ---- Without a window (run_still.c) ----
 
-// Return the inputs for the picture of a command line. No clock is read, so the picture is a
-// function of its options alone.
+// Return the inputs for the picture of a command line. No clock is read, so the picture depends
+// only on its options.
 struct renderer_inputs run_still_inputs(const struct options *options);
 
 // If --from is given, set the eye from which the ray of --probe starts.

@@ -99,7 +99,7 @@ static bool march_shown(struct run *run, const struct renderer_inputs *inputs, s
 }
 
 // Return the number of steps that picture i of n shows. The film pauses at the first and the last
-// step, so that a viewer sees where it begins again.
+// step, so that a viewer of a repeated film sees where it starts again.
 static float shown_of(int i, int n, int steps)
 {
     double time = n > 1 ? (double)i / (n - 1) : 1.0;

@@ -7,7 +7,7 @@
 #include "report.h"
 
 // Return the end of the conversion that begins at a '%', or NULL if the conversion is not allowed.
-//   width  receives the least number of digits; 0 for %d
+//   width  receives the minimum number of digits; 0 for %d
 static const char *conversion_end(const char *c, int *width)
 {
     *width = 0;

@@ -12,7 +12,7 @@ bool sequence_is_name(const char *name);
 
 // Make the file name of one picture.
 //   name    a name for which sequence_is_name is true
-//   number  from 0
+//   number  the index of the picture, from 0
 //   path    receives the name with the number instead of the conversion, at most size bytes
 // Returns false after reporting the error if the new name is too long.
 bool sequence_path(const char *name, int number, char *path, size_t size);

@@ -1,5 +1,5 @@
-// body.mjs - completes the HTML that pandoc and filter.lua make from a page: formulas, listings, commands, pictures,
-// tables.
+// body.mjs - completes the HTML that pandoc and filter.lua make from a page: its formulas, listings, commands, pictures
+// and tables.
 import fs from 'node:fs';
 import path from 'node:path';
 import {coloured, escaped, plain, sizeOf} from './colour.mjs';
@@ -10,7 +10,7 @@ const temml = (await import(new URL('../../build/node/node_modules/temml/dist/te
 
 // ---- Formulas ----
 
-// Leave out everything that a browser adds by itself: the default forms of operators, and groups of one element.
+// Remove the markup that a browser does not need: default attributes of operators, and groups of one element.
 function compact(mathml) {
     return mathml.replaceAll(' separator="true"', '').replaceAll(' fence="true"', '').replaceAll('></mspace>', '/>')
         .replace(/(?<=<mrow>|<math>)<mo form="prefix" stretchy="false">/g, '<mo stretchy="false">').replace(/<mo form="prefix" stretchy="false">(?=[([{⌈⌊])/g, '<mo stretchy="false">')
@@ -23,7 +23,7 @@ function compact(mathml) {
 
 // TeX puts no space around operators in a subscript or superscript, but browsers add some.
 function tightened(mathml) {
-    const open = []; // for each open element: whether it is a script, whether it is inside one, how many children it has had
+    const open = []; // for each open element: whether it has scripts, whether it is in a script, its number of children
     return mathml.replace(/<(\/?)(\w+)([^>]*?)(\/?)>/g, (tag, end, name, attributes, empty) => {
         if (end) { open.pop(); return tag; }
         const parent = open.at(-1), inside = Boolean(parent && (parent.inside || (parent.script && parent.count > 0)));
@@ -33,7 +33,7 @@ function tightened(mathml) {
     });
 }
 
-// The children of a formula, each as text.
+// The top-level elements of some MathML, each as a string.
 function childrenOf(mathml) {
     const children = [];
     let depth = 0, from = 0;
@@ -46,11 +46,11 @@ function childrenOf(mathml) {
 }
 
 const ungrouped = (child) => child.startsWith('<mrow>') ? child.slice(6, -7) : child;
-const UNSTYLED = / class="(?:tml-(?:prime|\w+-pad) ?)+"/g; // class names of Temml's own style sheet; site.css has two of them
-const LONG = 24; // an inline formula with more letters may not fit into a line on a phone
+const UNSTYLED = / class="(?:tml-(?:prime|\w+-pad) ?)+"/g; // Temml's class names that site.css does not style
+const LONG = 24; // an inline formula with more characters may not fit on one line of a phone
 
-// If a display has several statements, separated by \\qquad or by a comma and \\quad, each becomes a formula, so that
-// they are placed below one another on a narrow page.
+// If a displayed formula has several statements, separated by \qquad or by a comma and \quad, each becomes a separate
+// <math>, so that a narrow page can place them below one another.
 function statements(whole) {
     const [, open, inside] = /^(<math[^>]*>)(.*)<\/math>$/s.exec(whole);
     const all = childrenOf(inside), children = all.length === 1 && all[0].startsWith('<mrow>') ? childrenOf(ungrouped(all[0])) : all;
@@ -63,7 +63,7 @@ function statements(whole) {
 }
 
 // A displayed formula that is wider than the page scrolls in its own box. A long inline formula may break after its
-// operators: no browser breaks a <math>, so each part that TeX would not break becomes a <math> of its own.
+// operators: no browser breaks a <math>, so each part that TeX would not break becomes a separate <math>.
 function mathml(tex, display) {
     const render = (wrap) => tightened(compact(temml.renderToString(tex, {displayMode: display, wrap, throwOnError: true}))).replace(UNSTYLED, '');
     const whole = render('none');
@@ -75,13 +75,13 @@ function mathml(tex, display) {
     return parts.every((part) => !part.startsWith('<mspace')) ? parts.map((part) => `<math>${ungrouped(part)}</math>`).join('') : `<math>${inside}</math>`;
 }
 
-// A column heading that consists only of a formula also gives it in words, because screen readers expect text there.
+// A column heading that is only a formula also gets a version in words, because screen readers expect text there.
 const heads = (html) => html.replace(/<th([^>]*)><span class="math inline">\\\((.*?)\\\)<\/span><\/th>/gs, (whole, more, tex) => {
     const words = tex.replace(/\\[lr]vert/g, '|').replace(/\\sqrt\{([^}]*)\}/g, 'root of ($1)').replace(/\\(?:left|right|math\w+|[,;! ])/g, '').replace(/[\\{}]/g, '');
     return whole.replace(`<th${more}>`, `<th${more}><span class="unseen">${words.replace(/\s+/g, ' ').trim()}</span>`).replace('class="math inline"', 'aria-hidden="true" class="math inline"');
 });
 
-// Punctuation stays with its formula.
+// Punctuation after an inline formula stays on the line of the formula.
 const formulas = (html) => heads(html).replace(/<span (?:aria-hidden="true" )?class="math (inline|display)">\\[[(](.*?)\\[\])]<\/span>([.,;:)?!’”]?)/gs,
     (whole, kind, tex, sign) => mathml(plain(tex), kind === 'display').replaceAll('<math>', whole.includes('aria-hidden') ? '<math aria-hidden="true">' : '<math>') + (sign && kind === 'inline' ? `\u2060${sign}` : sign));
 
@@ -106,9 +106,9 @@ function commandBlock({text, command}, i, pieces) {
     return `<div class="command">${listing}<p class="reason"${said ? ' hidden' : ''}>For a terminal only: ${escaped(what.reason)}.</p></div>`;
 }
 
-const NARROW = 84; // the number of characters of a listing that fit into a line of the text's width
+const NARROW = 84; // how many characters of a listing fit into the width of the text column
 
-// A listing, below the name of its file; `sources` knows the page and the line where the file is shown.
+// A listing, below the name of its file if it has one. The name links to the file's page, at the listing's first line.
 function listing(language, text, file, symbol, sources) {
     const code = `<pre><code>${coloured(text, language)}</code></pre>`;
     const kind = text.split('\n').some((line) => line.length > NARROW) ? 'listing broad' : 'listing';
@@ -133,7 +133,7 @@ const GUESSES = read(new URL('guesses.txt', import.meta.url)).split('\n').filter
     return {page, words, kind, right};
 });
 
-// The form below a question: its fields, and the attributes with the right answer.
+// The fields of the form below a question, and the form's attributes, which contain the right answer.
 function fieldsOf({kind, right} = {}, pictures) {
     const choice = (text, i) => `<label><input type="radio" name="guess" value="${i}"> ${escaped(text.replace(/^\*/, ''))}</label>`;
     if (kind === 'choice') return {data: ` data-kind="choice" data-right="${right.findIndex((one) => one.startsWith('*'))}"`, fields: right.map(choice).join(' ')};
@@ -142,20 +142,22 @@ function fieldsOf({kind, right} = {}, pictures) {
         const img = `<img ${pictureOf(`../tests/references/${right[0]}.png`, pictures)} alt="" loading="lazy" decoding="async">`;
         return {
             data: ` data-kind="tap" data-right="${right[1]}"`,
-            fields: `<button type="button" class="tap" aria-label="Point at the place in the picture; the arrow keys move the mark">${img}<i hidden></i></button><input type="hidden" name="guess">`,
+            fields: `<button type="button" class="tap" aria-label="Mark a point in the picture; the arrow keys move the mark">${img}<i hidden></i></button><input type="hidden" name="guess">`,
         };
     }
     return {data: '', fields: '<label>Your guess: <input name="guess" maxlength="200" autocomplete="off"></label>'};
 }
 
-// Predict first: insert a form between each question and its answer. A command may precede the answer.
+// Insert a form below each question that begins with 'Predict.' and is followed by an answer. Commands may precede the
+// answer.
 const guesses = (html, stem, pictures) => html.replace(/(<p><em>Predict\.<\/em>)((?:(?!<\/p>).)*)(<\/p>)(?=\s*(?:<div class="commands">(?:(?!<details>|<h\d|<p>).)*)?<details>)/gs, (whole, begin, question, end) => {
     const words = plain(question.replace(/<[^>]*>/g, '')).replace(/\s+/g, ' ').trim();
     const {data, fields} = fieldsOf(GUESSES.find((one) => one.page === stem && words.startsWith(one.words)), pictures);
     return `${begin}${question}${end}<form class="guess"${data}>${fields} <button type="submit">Keep my guess</button> <output></output></form>`;
 });
 
-// The names of the parameters of a chapter, and of the files that it includes, that are single numbers.
+// The names of the parameters of a chapter, including those of the files that its shader includes. Only parameters that
+// are single numbers count.
 function parametersOf(stem, found = new Set(), seen = new Set(), file = `chapters/${stem}.frag`) {
     if (seen.has(file) || !fs.existsSync(file)) return found;
     seen.add(file);
@@ -166,8 +168,8 @@ function parametersOf(stem, found = new Set(), seen = new Set(), file = `chapter
 }
 const scrubs = (html, parameters) => html.replace(/(?<!<pre>)<code>(\w+)=(-?\d+(?:\.\d+)?)<\/code>/g, (whole, name) => parameters.has(name) ? whole.replace('<code>', '<code class="scrub">') : whole);
 
-// Inline code is not broken across lines; if it is long, only each option is kept whole. A command is followed by its
-// button.
+// Inline code is not broken across lines; in long code, only the options are kept whole. A command that can run in the
+// page is followed by its button.
 const LONG_CODE = 24;
 const inline = (html) => html.replace(/(?<!<pre>)<code>([^<]*)<\/code>/g, (whole, code) => {
     const command = plain(code);
@@ -178,7 +180,7 @@ const inline = (html) => html.replace(/(?<!<pre>)<code>([^<]*)<\/code>/g, (whole
 
 // ---- Pictures, tables, links ----
 
-// The attributes of a picture that a page takes from ../tests/references/ or figures/; adds the picture to `pictures`.
+// Add a picture to `pictures`, and return the attributes of its <img>. The source is relative to docs/.
 function pictureOf(source, pictures) {
     const file = path.join('docs', source);
     const name = path.basename(file);
@@ -187,7 +189,7 @@ function pictureOf(source, pictures) {
     return `src="pictures/${name}" width="${width}" height="${height}"${width >= 600 ? ' class="wide"' : ''}`;
 }
 
-// A picture that a program has drawn becomes the running program when a reader touches it.
+// A picture that a program has drawn becomes the running program when a reader clicks or taps it.
 const images = (html, pictures) => html.replace(/<img src="(?!pictures\/)([^"]*)"([^>]*?) ?\/?>/g, (_, source, more) => {
     const img = `<img ${pictureOf(source, pictures)}${more} loading="lazy" decoding="async">`;
     const {stem, line, probe, step} = commandOfPicture(path.basename(source)) ?? {};
@@ -195,21 +197,21 @@ const images = (html, pictures) => html.replace(/<img src="(?!pictures\/)([^"]*)
     return `<live-chapter class="in-place${isFigure(line) ? ' hands' : ''}" stem="${stem}"${line ? ` line="${escaped(line)}"` : ''}${probe ? ` probe="${probe}"` : ''}${step ? ` step="${step}"` : ''}>${img}</live-chapter>`;
 });
 
-// The first picture of a chapter becomes its program, not yet running. The page waits for this picture, so the
-// gallery's smaller file is used.
+// The first picture of a chapter becomes the poster of its program, which is not running yet. The page waits for this
+// picture, so the gallery's smaller file is used.
 const live = (html, stem, pictures) => html.replace(/<figure>\s*<img src="([^"]*)"([^>]*?) ?\/?>.*?<\/figure>/s, (_, source, more) => {
     const small = new Map(), poster = pictureOf(source, small).replace('-smooth.png"', '.webp" fetchpriority="high"');
     pictures.set(poster.split(/[/"]/)[2], ...small.values());
     return `<live-chapter stem="${stem}"><img ${poster}${more} decoding="async"></live-chapter>`;
 });
 
-// Is this a table of text below named columns? A narrow page shows such a table row by row.
+// Is this a table of text with named columns? A narrow page shows such a table row by row.
 function wordy(table) {
     const [head, ...rows] = table.split('</tr>').map((row) => [...row.matchAll(/<t[dh][^>]*>(.*?)<\/t[dh]>/gs)].map(([, cell]) => plain(cell).trim())).filter((row) => row.length > 0);
     return head.length > 2 && head[0] !== '' && rows.join('').length > 45 * rows.length;
 }
 
-// Each picture becomes a link to its file, so that a reader can enlarge it.
+// Each picture that is not part of a program or a question becomes a link to its file, so that a reader can enlarge it.
 const enlarged = (html) => html.replace(/(<live-chapter[^>]*>|<button type="button" class="tap"[^>]*>)?(<img src="([^"]*)"[^>]*>)/g, (whole, inside, img, source) => inside ? whole : `<a class="picture" href="${source}">${img}</a>`);
 
 // In a table of pictures, the cells share the width; a table of numbers scrolls if it is wider than the page.
@@ -225,15 +227,15 @@ const links = (html, sources) => html.replace(/<a href="source:([^"#]*)(#[^"]*)?
 });
 
 // The body of a page from pandoc's HTML.
-//   stem      the page's chapter; undefined if it is not a chapter's page
+//   stem      the stem of the page's chapter; undefined if the page does not belong to a chapter
 //   sources   the pages that show files of the project (sources.mjs)
-//   pictures  receives the pictures that the page shows: name in the site -> file
+//   pictures  receives the pictures that the page shows, a map from the name on the site to the file
 export function bodyOf(html, {stem, sources, pictures}) {
     html = inline(blocks(formulas(html), sources));
     if (stem) html = guesses(scrubs(html, parametersOf(stem)), stem, pictures);
     html = links(images(stem ? live(html, stem, pictures) : html, pictures), sources);
     html = tables(html).replaceAll(' />', '>');
-    // Headings above the first section do not belong to any section: they look small, but no level is skipped.
+    // Third-level headings above the first section become small second-level headings, so that no level is skipped.
     html = html.replace(/^.*?(?=<h2|$(?![^]))/s, (head) => head.replace(/<h3( [^>]*)>(.*?)<\/h3>/gs, '<h2 class="minor"$1>$2</h2>'));
     return enlarged(html);
 }

@@ -1,4 +1,5 @@
-// changes.js - a reader's changes to the files of the running program: the editor and its surroundings.
+// changes.js - keeps track of a reader's changes to the files of the running program, and shows the editor, its buttons
+// and its notes.
 import * as edits from './edits.js';
 
 const SHADER = /\.(frag|glsl)$/;
@@ -8,8 +9,8 @@ export class Changes {
     constructor(stage) {
         const {part} = stage;
         this.stage = stage;
-        this.files = {}; // the files that differ from their first state
-        this.brought = new Map(); // texts that the course does not have, in their first state
+        this.files = {}; // the files that differ from their original texts, {NAME: TEXT}
+        this.brought = new Map(); // maps a file that the course does not have to its original text
         this.said = part('span');
         this.line = part('p', {className: 'live-changes', hidden: true}, this.said, ' ', stage.button('Undo all', () => this.undo(this.named)));
         this.other = part('p', {className: 'live-other', hidden: true});
@@ -28,7 +29,7 @@ export class Changes {
 
     // Before the first start, load the changes in this page's address and those that the browser has stored.
     //   at  the element that is started
-    // Returns the command line in that address, or null.
+    // Returns the command line in that address, or null if the address has none for this element's program.
     async begin(at) {
         if (this.begun) return null;
         this.begun = true;
@@ -47,16 +48,17 @@ export class Changes {
         return link?.stem === at.stem ? link.line : null;
     }
 
-    // The text to which a file can be reset: that of the course or, for an answer, that of the chapter; null if there
-    // is none.
+    // The text to which a file can be reset: the original text of a file that the reader has added, the chapter's
+    // shader for an answer to an exercise, and otherwise the course's own text. Null if there is none.
     async original(name) {
         const {program} = this.stage, exercise = edits.exerciseOf(name);
         const chapter = exercise && [...program.course].find((one) => one.startsWith(`chapters/${exercise.slice(0, 2)}_`));
         return this.brought.get(name) ?? program.original(chapter || name);
     }
 
-    // Put a reader's answer to an exercise where the program finds it.
-    //   text  the first text; if null, the answer so far or, if there is none, the text of the chapter
+    // Write a reader's answer to an exercise into the program's files.
+    //   text  the new text of the answer; if null, an existing answer keeps its text, and a new one begins as a copy of
+    //         the chapter's shader
     async draft(at, name, text = null) {
         await this.begin(at);
         if (text !== null) await this.change(name, text);
@@ -65,7 +67,7 @@ export class Changes {
     }
 
     // Add a file that the course does not have, and remove all traces of an earlier file with the same name.
-    //   base  the text to which Reset returns
+    //   base  the text that Reset restores
     async bring(at, name, base, text) {
         await this.begin(at);
         this.brought.set(name, base);
@@ -73,8 +75,8 @@ export class Changes {
         this.editor?.renew(name);
     }
 
-    // Another tab has stored other texts. Files that are not shown here take over the other text; for those that are
-    // shown, the reader decides.
+    // Another tab has stored other texts. Files that are not shown here take over the other tab's texts; for files that
+    // are shown, the reader decides.
     async elsewhere(all) {
         const shown = this.stage.state?.files ?? [], differ = Object.keys({...all, ...this.files}).filter((name) => all[name] !== this.files[name]);
         const take = async (names) => {
@@ -95,8 +97,8 @@ export class Changes {
         for (const [name, text] of Object.entries(this.files)) this.stage.program.write(name, text);
     }
 
-    // If `original` is true, write the course's own files, because a program with the reader's changes may not even
-    // start; otherwise write the changes.
+    // If `original` is true, write the original texts, because the program may not start with the reader's changes;
+    // otherwise write the changes.
     async lay(original) {
         const {program} = this.stage;
         if (!original) return this.write();
@@ -110,14 +112,14 @@ export class Changes {
 
     async change(name, text) {
         const {program} = this.stage;
-        program.write(name, text); // the program checks its files, and reloads them
+        program.write(name, text); // the program notices that the file has changed, and reloads it
         const later = [...program.later].some((one) => text.includes(`"${one.slice(one.lastIndexOf('/') + 1)}"`));
         if (later && this.stage.at) program.fetchFiles(this.stage.at.stem, this.stage.line).catch(() => {}); // the text may include files that were not needed before
         const original = await this.original(name);
         if (text === original) delete this.files[name];
         else this.files[name] = text;
         edits.show('');
-        this.saved.textContent = edits.keep(name, text === original ? null : text) ? '' : 'This browser does not keep your changes: copy a link to save them.';
+        this.saved.textContent = edits.keep(name, text === original ? null : text) ? '' : 'This browser cannot store your changes: copy a link to save them.';
         this.tell();
     }
 
@@ -134,7 +136,7 @@ export class Changes {
         edits.show('');
     }
 
-    // Say which files of the running shader are changed.
+    // Show which files of the running shader have been changed.
     tell() {
         const running = this.stage.state?.files;
         this.named = Object.keys(this.files).filter((name) => !running || running.includes(PREFIX + name));
@@ -158,7 +160,7 @@ export class Changes {
         });
         this.show(this.stage.state);
         this.editor.view.focus();
-        this.element.scrollIntoView({block: 'start'}); // below the picture, which remains visible
+        this.element.scrollIntoView({block: 'start'}); // scrolls the editor to just below the picture, which remains visible
     }
 
     show(state) {

@@ -1,5 +1,5 @@
-// check.js - draws pictures to compare them, in a separate program: `make check` compares the pictures and rays of the
-// reader's version of a chapter with those of the solution of an exercise, and `make compare` compares two pictures.
+// check.js - draws pictures in a separate program and compares them: `make check` compares the pictures and rays of the
+// reader's answer to an exercise with those of the solution, and `make compare` compares two pictures.
 // tests/pictures/images.txt and tests/course/checks.txt list the pictures of an exercise; the numbers and messages come
 // from tests/lib/judge.c.
 import {Program} from './program.js';
@@ -62,8 +62,8 @@ class Judge {
         return this.program.module.ccall(name, name === 'judge_share' ? 'number' : 'string', values.map((value) => typeof value), values);
     }
 
-    // Returns what is wrong ('' if nothing is), a description of the difference, a picture of the difference, the share
-    // of pixels that differ, and the pixel to follow.
+    // Returns the judge's objection ('' if there is none), a description and a picture of the difference, the share of
+    // pixels that differ, and the pixel with the largest difference.
     compare(shown, right, mine) {
         if (right.width !== mine.width || right.height !== mine.height) throw new Error(`one picture has ${right.width} × ${right.height} pixels, the other ${mine.width} × ${mine.height}`);
         const {module} = this.program, size = 3 * right.width * right.height;
@@ -86,7 +86,7 @@ class Judge {
 
 // ---- An exercise ----
 
-// Judge a text. Returns {right, words, place?, rays?, pictures?: {mine, difference}}.
+// Judge the text of an answer to an exercise. Returns {right, words, place?, rays?, pictures?: {mine, difference}}.
 //   told  is called with messages about progress
 export async function judge(name, text, told = () => {}) {
     const {stem, number, pictures} = await exercise(name);
@@ -121,7 +121,7 @@ export async function judge(name, text, told = () => {}) {
 // ---- Two pictures ----
 
 // Draw two pictures and compare them. Returns {words, changed, pictures: [{name, data}], difference}.
-//   stem   of the chapter's program
+//   stem   the stem of the chapter whose program draws them
 //   lines  the program's command line for each picture, with --output
 //   files  the files that the reader has changed, {NAME: TEXT}; `changed` lists those that the pictures show
 //   told   is called with messages about progress
@@ -163,7 +163,7 @@ async function changesOf(stage) {
 
 const GREY = 'The difference: grey where the two pictures are equal';
 
-// Carry out a form.check.
+// Carry out the check that a form.check requests.
 //   edit  opens the editor with the answer; a second argument gives the text with which the answer begins
 export async function check(form, stage, part, edit) {
     if (form.getAttribute('aria-busy') === 'true') return;
@@ -200,7 +200,7 @@ export async function check(form, stage, part, edit) {
     }
 }
 
-// Run the comparison of a `make compare` button; the result is shown in `box`.
+// Carry out the comparison that a `make compare` button requests, and show the result in `box`.
 export async function compareIn(box, button, stage, part) {
     const say = (text) => box.replaceChildren(part('p', {textContent: text}));
     const {stem, line, other} = button.dataset;

@@ -17,7 +17,7 @@ export const escaped = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '
 export const plain = (html) => html.replace(/<[^>]*>/g, '').replace(/&#(\d+);/g, (_, code) => String.fromCodePoint(code)).replaceAll('&lt;', '<')
     .replaceAll('&gt;', '>').replaceAll('&quot;', '"').replaceAll('&amp;', '&');
 
-// Neighbouring pieces of the same colour are joined, so that screen readers read them as one word.
+// The HTML of a listing. Neighbouring pieces of one colour are joined, so that screen readers read them as one word.
 export function coloured(text, name) {
     const language = LANGUAGES[name];
     if (!language) return escaped(text);

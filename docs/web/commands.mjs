@@ -1,5 +1,5 @@
-// commands.mjs - what a command of a page becomes in the browser: a command line for the live program, an exercise to
-// be checked, or a reason why it needs a terminal (commands.txt).
+// commands.mjs - decides what a command of a page becomes in the browser: a command line for the live program, a
+// comparison of two pictures, a check of an exercise, or a reason why it needs a terminal (commands.txt).
 import fs from 'node:fs';
 
 const REASONS = fs.readFileSync(new URL('commands.txt', import.meta.url), 'utf8').split('\n')
@@ -9,12 +9,13 @@ const REASONS = fs.readFileSync(new URL('commands.txt', import.meta.url), 'utf8'
         return {pattern: new RegExp(pattern), reason};
     });
 const STEMS = fs.readdirSync('chapters').filter((name) => /^\d\d_.*\.c$/.test(name)).map((name) => name.slice(0, -2)).sort();
-// With one of these options, --output names a picture that a window cannot show.
+// With any of these options, a window cannot show what --output would write.
 const STILL = ['--probe', '--step', '--from', '--overlay', '--list', '--print-shader'];
 
-// The command line of every reference picture, by its file's name: {stem, line, probe, step}, from
-// tests/pictures/images.txt. A window can show the ray of a pixel, given in fractions of the picture; --probe would
-// print the ray instead. A picture of several samples is shown with one sample.
+// Maps the file name of every reference picture to its command line, {stem, line, probe, step}, from
+// tests/pictures/images.txt. The pixel of --probe is removed from the line, because --probe would print its ray; it is
+// given in fractions of the picture instead, so that a window of any size can show the ray. A picture with several
+// samples per pixel is shown with one.
 const PICTURES = new Map(fs.readFileSync('tests/pictures/images.txt', 'utf8').split('\n').filter((line) => /^\d/.test(line)).map((row) => {
     const [stem, variant, ...words] = row.trim().split(/\s+/);
     const value = (name) => words.includes(name) ? words.splice(words.indexOf(name), 2)[1] : undefined;
@@ -23,7 +24,7 @@ const PICTURES = new Map(fs.readFileSync('tests/pictures/images.txt', 'utf8').sp
     const [width, height] = (words[words.indexOf('-s') + 1] ?? '').match(/^(\d+)x(\d+)$/)?.slice(1) ?? [640, 360];
     return [`${stem}${variant === '-' ? '' : `-${variant}`}.png`, {stem, line: words.join(' '), step, probe: probe && `${probe[0] / width},${probe[1] / height}`}];
 }));
-const FIXED = /--(?:overlay|from|frames)/; // what a page's window cannot show
+const FIXED = /--(?:overlay|from|frames)/; // options with results that a page's window cannot show
 
 export function pictureOf(name) {
     const found = PICTURES.get(name);
@@ -43,7 +44,7 @@ function wordsOf(command) {
     return words;
 }
 
-// A chapter's stem from the value of CHAPTER, found as in .make/chapters.sh.
+// The stem of the chapter that the value of CHAPTER names, found as in .make/chapters.sh.
 function stemOf(name) {
     const stem = STEMS.find((stem) => !name || stem === name || stem.startsWith(`${name.padStart(2, '0')}_`));
     if (!stem) throw new Error(`unknown chapter: ${name}`);
@@ -60,10 +61,11 @@ function lineOf(words) {
 
 const reasonOf = (command) => REASONS.find(({pattern}) => pattern.test(command))?.reason;
 
-// The chapter to which a program's name belongs.
+// The stem of the chapter whose program this word names.
 const programOf = (word) => STEMS.find((stem) => word === `build/${stem}`);
 
-// Two pictures to be compared, if the same program writes both of them earlier on the page: {stem, line, other}.
+// The two pictures that `make compare` names, if the same program writes both of them earlier in the block:
+// {stem, line, other}.
 function pairOf(command, above) {
     const files = /^make compare PICTURES='(\S+) (\S+)'$/.exec(command)?.slice(1) ?? [];
     const lines = above.map((one) => wordsOf(one.replaceAll('\\\n', ' ')));
@@ -80,8 +82,8 @@ function pairOf(command, above) {
 //   {stem, line, other}  it compares the pictures that these two lines write
 //   {check, stem}        it checks an exercise, "03_2", of this chapter
 //   {reason}             it has no button, for this reason; in the course for students, a page cannot check exercises
-// Throws if the command does none of these: then commands.txt lacks a line.
-//   above  the commands above it in its block
+// Throws if the command does none of these, because then commands.txt lacks a line.
+//   above  the commands that precede it in its block
 export function commandOf(command, above = []) {
     const pair = pairOf(command, above);
     if (pair) return pair;

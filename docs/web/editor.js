@@ -1,5 +1,5 @@
-// editor.js - the files of the running shader, one in each tab, with the errors at their lines. esbuild joins this and
-// CodeMirror into one file, which is loaded when a reader opens the editor.
+// editor.js - an editor for the files of the running shader, one per tab, with errors marked at their lines. esbuild
+// bundles this module and CodeMirror into one file, which is loaded when a reader opens the editor.
 import {EditorState} from '@codemirror/state';
 import {EditorView, keymap, lineNumbers, highlightActiveLine, highlightActiveLineGutter, drawSelection} from '@codemirror/view';
 import {defaultKeymap, history, historyKeymap} from '@codemirror/commands';
@@ -9,7 +9,7 @@ import {lintGutter, lintKeymap, setDiagnostics} from '@codemirror/lint';
 import {shader} from '@codemirror/legacy-modes/mode/clike';
 import {tags} from '@lezer/highlight';
 
-const REST = 300; // milliseconds without a key press after which a text is tried
+const REST = 300; // milliseconds from the last change to the moment when the text is tried
 
 const colours = syntaxHighlighting(HighlightStyle.define([
     {tag: [tags.keyword, tags.controlKeyword, tags.modifier], class: 'live-keyword'},
@@ -42,12 +42,12 @@ export class Editor {
     //   read     returns the text of a file, given its name
     //   changed  is called with a file's name and its new text, when the reader stops typing
     //   bottom   returns the position on the screen, in pixels from the top, below which the text is covered; Infinity
-    //            if none of it is
+    //            if nothing covers the text
     constructor(parent, {read, changed, bottom}) {
         this.read = read;
         this.changed = changed;
         this.bottom = bottom;
-        this.states = new Map(); // one for each file that was shown
+        this.states = new Map(); // the editor's state for each file that has been shown
         this.problems = [];
         this.timer = 0;
         this.tabs = document.createElement('div');
@@ -146,7 +146,7 @@ export class Editor {
         this.lint();
     }
 
-    // Give a file a text that the reader did not type; undo restores the old one.
+    // Give a file a text that the reader did not type. If the file is shown, undo restores its old text.
     put(name, text) {
         if (name === this.name) {
             this.view.dispatch({changes: {from: 0, to: this.view.state.doc.length, insert: text}});

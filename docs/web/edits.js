@@ -1,15 +1,15 @@
-// edits.js - a reader's changes to the course's files: stored in the browser, so that a reload loses nothing, and
-// packed into an address, so that a link shows them to somebody else.
+// edits.js - stores a reader's changes to the course's files in the browser, so that a reload loses nothing, and packs
+// the changes into an address, so that a link shows them to somebody else.
 const HERE = `ray marching: changes in ${new URL('.', import.meta.url).pathname}`;
 const MARK = '#edit=';
 const NAME = /^(chapters|shaders)\/[\w./-]+\.(frag|glsl)$/; // the files that may be changed
-const LONGEST = 1 << 20; // the most bytes of unpacked changes
+const LONGEST = 1 << 20; // the maximum size of unpacked changes, in bytes
 
 // The file of a reader's answer to an exercise, "03_2". It begins as a copy of the chapter's shader.
 export const draftOf = (exercise) => `chapters/exercises/${exercise}/my.frag`;
 export const exerciseOf = (name) => /^chapters\/exercises\/(\d\d_\d+)\/my\.frag$/.exec(name)?.[1];
 
-// Does a storage event say that another tab has stored something?
+// Does a storage event report that another tab has changed or cleared the stored files?
 export const isOurs = (event) => event.key === HERE || event.key === null;
 
 // The stored files, {NAME: TEXT}.
@@ -17,7 +17,7 @@ export function kept() {
     try {
         return clean(JSON.parse(localStorage.getItem(HERE) || '{}'));
     } catch {
-        return {}; // the browser refuses to store anything
+        return {}; // the browser refuses access, or the stored text is malformed
     }
 }
 
@@ -35,7 +35,8 @@ export function keep(name, text) {
     }
 }
 
-// Of these names, the files that a command line shows, as far as its options say: its shader and the library.
+// Select the files that the picture of a command line may show: its shader, and all files of the library, because the
+// options do not tell which of those the shader includes.
 export function shownBy(names, stem, line) {
     const shader = /--shader[ =](\S+)/.exec(line)?.[1] ?? `chapters/${stem}.frag`;
     return names.filter((name) => name === shader || name.startsWith('shaders/'));

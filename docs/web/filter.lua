@@ -17,7 +17,7 @@ local function link(element)
     elseif kind == 'file' then
         element.target = 'source:' .. file
     elseif element.target:match('^https?:') and pandoc.utils.stringify(element) ~= element.target then
-        element.classes:insert('elsewhere') -- the printed page shows its address
+        element.classes:insert('elsewhere') -- the printed page shows the address of this link
     end
     return element
 end
@@ -31,7 +31,8 @@ local function block(element)
     return pages.mermaid(element) and {} or nil
 end
 
--- A French term follows the English one in brackets: (*distance signée*). English text is emphasised without a bracket.
+-- A French term follows its English term in brackets: (*distance signée*). Emphasised text without an opening bracket
+-- before it is English.
 local function french(inlines)
     for i = 2, #inlines do
         local before, here = inlines[i - 1], inlines[i]
@@ -46,7 +47,7 @@ local function raw(element)
     return element.format:match('html') and element.text:match('^<!%-%-') and {} or nil
 end
 
--- Name each listing after the marker above it, and mark the French summary below its heading as French.
+-- Name each listing after the marker above it, and mark the French summary and its heading as French.
 local function neighbours(blocks)
     for i = 1, #blocks - 1 do
         local here, after = blocks[i], blocks[i + 1]

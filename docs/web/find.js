@@ -1,9 +1,9 @@
-// find.js - the search in all pages. Like its index, it is loaded when the search field is first used. This is a
+// find.js - searches all pages. Like its index, this script is loaded when the search field is first used. It is a
 // classic script, because browsers run no modules from file://.
 (() => {
     const field = document.querySelector('.search input'), list = document.querySelector('.results'), found = document.querySelector('.found');
     const up = field.dataset.index.replace('search.js', '');
-    const MOST = 12, LENGTH = 150; // results, characters of an excerpt
+    const MOST = 12, LENGTH = 150; // the maximum numbers of results, and of characters in an excerpt
     const MEANT = {sdf: 'signed distance', sdfs: 'signed distance', ao: 'occlusion', dof: 'depth of field', aa: 'antialiasing', fov: 'field of view', raymarching: 'ray marching', color: 'colour'};
     const folded = (text) => text.normalize('NFD').replace(/\p{M}/gu, '').toLowerCase();
     const wordsOf = (text) => folded(text).split(/[^\p{L}\p{N}_]+/u).filter((word) => word.length > 1);
@@ -21,7 +21,8 @@
 
     // ---- Words ----
 
-    // Can a word become another one by losing, adding, changing or swapping at most this many letters?
+    // Can a word become another one in at most this many edits? An edit removes, adds or replaces a letter, or swaps
+    // two neighbours.
     function near(a, b, most) {
         if (Math.abs(a.length - b.length) > most) return false;
         let before = [], row = [...Array(b.length + 1).keys()];
@@ -54,9 +55,9 @@
     // The weight of a word, which is greater if fewer sections contain it.
     const rarity = (word) => Math.log(1 + entries.length / (1 + entries.filter((entry) => entry.low.includes(word) || entry.head.includes(word)).length));
 
-    // How well a section fits: the more of the words it contains, in any order, the better. A word counts most in the
-    // title of the page, then in a heading, then at the beginning of a word in the text.
-    //   words  {word, rare}
+    // How well a section fits: the more of the words it contains, in any order, the better. A match counts most in the
+    // title of the page, then in a heading, then in the text, and counts more at the beginning of a word.
+    //   words  the words and their weights, [{word, rare}]
     function scoreOf(entry, words) {
         let sum = 0, has = 0;
         for (const {word, rare} of words) {
@@ -64,7 +65,7 @@
             const inPage = entry.page.indexOf(word), inHead = entry.head.indexOf(word), inText = entry.low.indexOf(word);
             if (inPage < 0 && inHead < 0 && inText < 0) continue;
             has++;
-            if (inPage >= 0 && begins(entry.page, inPage)) own += entry.first ? 60 + 60 * word.length / entry.page.length : 8; // in a short title, the word is most of it
+            if (inPage >= 0 && begins(entry.page, inPage)) own += entry.first ? 60 + 60 * word.length / entry.page.length : 8; // the larger the word's share of the title, the better
             if (inHead >= 0) own += begins(entry.head, inHead) ? 30 : 10;
             if (inText >= 0) own += Math.min(entry.low.split(word).length - 1, 6) + (begins(entry.low, inText) ? 3 : 0);
             sum += rare * own;

@@ -1,10 +1,10 @@
-// fonts.mjs - the fonts of the site: subsets of fonts on this machine, with only the letters that are used.
+// fonts.mjs - writes the fonts of the site: subsets of this machine's fonts, with only the letters that the site uses.
 import {execFile} from 'node:child_process';
 import {promisify} from 'node:util';
 
 const run = promisify(execFile);
 
-// Turn the ranges of fontconfig, such as "20-7e a0 2019", into a function that tests a letter.
+// Turn the ranges of fontconfig, such as "20-7e a0 2019", into a function that tells whether they contain a letter.
 function holder(charset) {
     const ranges = charset.split(' ').map((range) => range.split('-').map((code) => parseInt(code, 16)));
     return (letter) => ranges.some(([first, last = first]) => letter.codePointAt(0) >= first && letter.codePointAt(0) <= last);

@@ -1,4 +1,4 @@
-// guess.js - Predict first: a question takes a guess before its answer opens, and then says how close the guess was.
+// guess.js - asks for a guess before the answer to a *Predict* question opens, and then says how close the guess was.
 // Guesses are stored on this device. This is a classic script, because browsers run no modules from file://.
 (() => {
     const KEY = `guesses ${location.pathname.split('/').pop()}`;
@@ -13,8 +13,8 @@
     }
 
     // How close a guess is, in words.
-    //   kind, right  as in guesses.txt; for a choice, the index of the right one
-    //   height       of the picture that is tapped, in widths
+    //   kind, right  as in guesses.txt; for a choice, right is the index of the right answer
+    //   height       the height of the tapped picture, in widths of the picture
     function judged(kind, guess, right, height) {
         if (kind === 'tap') {
             const off = outside(guess.split(' ').map(Number), right.split(' ').map(Number), height);
@@ -42,7 +42,7 @@
         answerOf(form).querySelector('summary').after(said);
     }
 
-    // A tap, or the arrow keys, put the mark on a point of the picture.
+    // Put the mark on a point of the picture, after a tap or an arrow key.
     function mark(form, x, y) {
         const at = form.querySelector('.tap i'), inside = (v) => Math.min(Math.max(v, 0), 1).toFixed(3);
         form.elements.guess.value = `${inside(x)} ${inside(y)}`;
@@ -83,7 +83,7 @@
             show(form, guess);
             answer.open = true;
         });
-        // The first press on an answer without a guess asks for one; the second press opens it all the same.
+        // If there is no guess, the first press on Answer asks for one, and the second opens the answer anyway.
         answer.querySelector('summary').addEventListener('click', (event) => {
             if (asked || answer.open || kept()[number] !== undefined) return;
             event.preventDefault();

@@ -1,5 +1,5 @@
 // live.js - <live-chapter stem="03_shadows" line="--time 3">: a chapter's program in a page. At first it shows only a
-// poster and a button; a click loads the module, the controls and the editor.
+// poster and a button; a click loads the program and its controls.
 //
 // A button.run opens another such element below its command, and a form.check judges an exercise. A page has only one
 // program, which moves to the element that was used last.
@@ -7,7 +7,7 @@
 import {draftOf} from './edits.js';
 import {Scrub} from './scrub.js';
 
-let stage = null; // the running program, once it has been requested
+let stage = null; // a promise of the page's Stage, once a program has been requested
 
 const part = (name, properties = {}, ...children) => {
     const made = Object.assign(document.createElement(name), properties);
@@ -15,10 +15,10 @@ const part = (name, properties = {}, ...children) => {
     return made;
 };
 
-// Request all the files that a program needs at once, instead of each only when another one names it.
+// Request all these files at once, instead of each only when another file names it.
 const PARTS = ['stage', 'program', 'harness'], DATA = ['harness.wasm', 'course.json'];
 
-//   text  the name of a shader to request as well; '' for none
+//   text  the name of a shader to request as well; '' if there is none
 async function load(text) {
     const from = (name) => new URL(name, import.meta.url).href;
     document.head.append(...PARTS.map((name) => part('link', {rel: 'modulepreload', href: from(`${name}.js`)})),
@@ -27,7 +27,7 @@ async function load(text) {
     return Stage.load(part);
 }
 
-// Can this browser draw a program? The check is made once.
+// Does this browser support WebGL 2? The check is made once.
 const draws = () => draws.said ??= Boolean(document.createElement('canvas').getContext('webgl2'));
 
 class LiveChapter extends HTMLElement {
@@ -39,7 +39,7 @@ class LiveChapter extends HTMLElement {
         this.button.addEventListener('click', () => this.run());
         this.screen = part('div', {className: 'live-screen'}, ...(poster ? [poster] : []), this.button);
         if (this.isInPlace) poster.addEventListener('click', () => this.run());
-        // A context that is created while a finger comes down would turn the tap into a long press.
+        // On a touch screen, creating a graphics context while a finger goes down would turn the tap into a long press.
         this.screen.addEventListener('pointerenter', (event) => { if (event.pointerType === 'mouse') this.expect(); }, {once: true});
         if (poster) this.style.setProperty('--across', poster.classList.contains('wide') ? '100%' : `${poster.getAttribute('width')}px`);
         this.prepend(this.screen);
@@ -59,19 +59,20 @@ class LiveChapter extends HTMLElement {
     get hasHands() { return this.classList.contains('hands'); } // an interactive figure
     get isFirst() { return document.querySelector('live-chapter') === this; }
 
-    // A pointer or a finger is on the picture: load the program before the click.
+    // Load the program, before the click if the mouse enters the picture. Returns a promise of the stage, or null if
+    // this browser cannot draw.
     expect(line = this.getAttribute('line') || '') {
         if (!draws()) return null;
         stage ??= load(/(?:--shader|-f)[ =](\S+)/.exec(line)?.[1] ?? `chapters/${this.stem}.frag`);
-        stage.catch(() => { stage = null; }); // the click tries again, and shows the reason
+        stage.catch(() => { stage = null; }); // if loading fails, the click tries again and shows the reason
         return stage;
     }
 
-    // Run a command line here: the text that options.c reads after the program's name. Returns the exit status once the
-    // command is done or the window shows its first picture. The page's program moves here if it is elsewhere.
-    //   shown  {head} shows only this many first lines of the output, {tail} only this many last lines; {still} pauses
-    //          the time until the reader resumes it; {probe} is the pixel whose ray is shown, "0.5,0.5" for the middle
-    //          of the picture, and {step} the step up to which the ray is shown
+    // Run a command line in this element, to which the page's program moves. The line is the text after the program's
+    // name (options.h). Returns the exit status once the command is done or its window is open.
+    //   shown  {head: N} shows only the first N lines of the output, {tail: N} only the last N; {still} pauses the time
+    //          until the reader resumes it; {probe} is the pixel whose ray is shown, "0.5,0.5" for the middle of the
+    //          picture, and {step} the step up to which the ray is shown
     async run(line = this.getAttribute('line') || '', shown = {still: this.isInPlace && !this.hasHands, probe: this.getAttribute('probe'), step: this.getAttribute('step')}) {
         if (!draws()) {
             this.say('This browser has no WebGL 2, so no program can run here; all text and pictures are shown.');
@@ -101,8 +102,8 @@ class LiveChapter extends HTMLElement {
     }
 
     // Write a text into the course's files as chapters/NAME, open it in the editor and run it. Returns the exit status.
-    //   base  the text to which Reset returns
-    //   stem  the chapter with whose camera the shader begins
+    //   base  the text that Reset restores
+    //   stem  the chapter whose program runs the shader, with its camera
     async play(name, base, text = base, stem = this.stem) {
         this.setAttribute('stem', stem);
         stage ??= load('');
@@ -114,17 +115,17 @@ class LiveChapter extends HTMLElement {
         return status;
     }
 
-    // The running shader as a file for Shadertoy; '' if no shader is running. Nothing else changes.
+    // The running shader, converted for Shadertoy; '' if no shader is running. The program continues unchanged.
     async exported() { return this.program ? this.stage.exported() : ''; }
 
-    // The program in this element, once it runs; for pages that have their own files.
+    // The page's program if it is in this element; otherwise null.
     get program() { return this.stage?.at === this ? this.stage.program : null; }
 }
 
 customElements.define('live-chapter', LiveChapter);
 
-// A film replaces its picture two seconds after the page is loaded, when nothing else waits for the network, unless the
-// reader wants reduced motion or reduced data.
+// A film replaces its picture two seconds after the page has been loaded, so that it delays nothing else, unless the
+// reader asks for reduced motion or reduced data.
 addEventListener('load', () => setTimeout(() => {
     if (matchMedia('(prefers-reduced-motion: reduce)').matches || navigator.connection?.saveData) return;
     for (const img of document.querySelectorAll('img[data-film]')) img.src = img.dataset.film;
@@ -134,7 +135,7 @@ addEventListener('load', () => setTimeout(() => {
 
 const beside = new WeakMap(); // maps a command's button to the chapter below it
 
-// The chapter that belongs to a button, below the button's block.
+// The <live-chapter> that belongs to a button, created below the button's block if necessary.
 function chapterOf(button, stem) {
     let chapter = beside.get(button);
     if (!chapter?.isConnected) {
@@ -172,14 +173,15 @@ async function compare(button) {
 
 document.addEventListener('click', (event) => {
     const button = event.target.closest?.('button.run, .answer');
-    if (event.detail > 0 && event.target.closest?.('button.run, .live-start')) event.target.blur(); // Space and Page Down scroll the page
+    if (event.detail > 0 && event.target.closest?.('button.run, .live-start')) event.target.blur(); // so that Space and Page Down scroll the page
     if (button?.matches('.answer')) return edit(button.form);
     if (button?.dataset.other) compare(button);
     else if (button) chapterOf(button, button.dataset.stem).run(button.dataset.line || '', {head: Number(button.dataset.head), tail: Number(button.dataset.tail), still: 'still' in button.dataset});
 });
 
 // Open a reader's answer to an exercise in the editor, below the form of the exercise.
-//   text  the first text; if undefined, the answer so far or, if there is none, the text of the chapter
+//   text  the new text of the answer; if undefined, an existing answer keeps its text, and a new one begins as a copy
+//         of the chapter's shader
 async function edit(form, text) {
     const chapter = chapterOf(form.querySelector('button'), form.dataset.stem), name = draftOf(form.dataset.exercise.replace('-', '_'));
     stage ??= load('');
@@ -189,7 +191,7 @@ async function edit(form, text) {
 }
 
 // Run a <live-chapter> for a number in a sentence.
-//   own  true to run the chapter's own shader, because the picture's shader does not have the parameter
+//   own  if true, run the chapter's own shader, because the picture's shader does not have the parameter
 async function runIn(at, own = false) {
     await (own ? at.run('') : at.run());
 }

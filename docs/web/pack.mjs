@@ -1,5 +1,5 @@
 // pack.mjs LATER OUT FILE... - packs the texts of the course into one JSON file.
-//   LATER  a list of the files that are loaded only when they are needed, one per line
+//   LATER  a file that lists the files to load only when they are needed, one per line
 import fs from 'node:fs';
 
 const [later, out, ...names] = process.argv.slice(2);

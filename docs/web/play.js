@@ -4,10 +4,10 @@ import {kept} from './edits.js';
 
 const box = document.querySelector('.drop'), chapter = box.querySelector('live-chapter'), said = box.querySelector('.said'), list = box.querySelector('.drafts');
 const field = box.querySelector('.title'), tools = [...box.querySelectorAll('.studio button, .title')];
-const LIMIT = 1 << 20; // bytes of a file: a shader has a few thousand
+const LIMIT = 1 << 20; // the maximum size of a file in bytes; a shader has a few thousand
 const KEY = `ray marching: drafts in ${new URL('.', location.href).pathname}`, STEM = chapter.getAttribute('stem'), SIZE = [160, 90], LOOK = 2000;
 const BLANK = 'void mainImage(out vec4 colour, in vec2 pixel)\n{\n    colour = vec4(pixel / iResolution.xy, 0.5, 1.0);\n}\n';
-let at = ''; // the draft that is open
+let at = ''; // the name of the open draft; '' if none is open
 let pictured = null; // the draft's text when its picture was taken
 
 const say = (text) => { said.textContent = text; };
@@ -17,13 +17,13 @@ const make = (name, properties = {}, ...children) => {
     return made;
 };
 
-// ---- What this device stores ----
+// ---- Stored drafts ----
 
-// {NAME: {base, stem, good, picture}}: the text with which a draft began, the chapter whose camera it has, the last
+// {NAME: {base, stem, good, picture}}: the text with which a draft began, the chapter whose camera it uses, the last
 // text that was drawn, and a small picture of that text. edits.js stores the changes of a draft.
 function drafts() { try { return JSON.parse(localStorage.getItem(KEY)) ?? {}; } catch { return {}; } }
 function keep(all) {
-    try { localStorage.setItem(KEY, JSON.stringify(all)); } catch { say('This browser keeps no drafts: download what you want to keep.'); }
+    try { localStorage.setItem(KEY, JSON.stringify(all)); } catch { say('This browser cannot store drafts: download those that you want to keep.'); }
     show();
 }
 
@@ -66,7 +66,7 @@ async function forget(name) {
 
 // ---- Running ----
 
-// Run a draft: `base` is the text to which Reset returns, `text` the present one.
+// Run a draft: `base` is the text that Reset restores, and `text` is the current text.
 async function play(name, base, text = base, stem = STEM) {
     at = name;
     field.value = name.replaceAll('_', ' ');
@@ -85,7 +85,8 @@ async function take(file) {
     await play(slug(file.name), text);
 }
 
-// A draft whose last text was never drawn may block the browser, so its text can be undone before it runs.
+// If the last text of a draft was never drawn, it may block the browser. Then the reader chooses between this text and
+// the last one that was drawn.
 function reopen(name) {
     const {base, stem, good} = drafts()[name], text = textOf(name), button = (words, run) => {
         const made = make('button', {type: 'button', textContent: words});
@@ -93,7 +94,7 @@ function reopen(name) {
         return made;
     };
     if (good === undefined || text === good) return play(name, base, text, stem);
-    said.replaceChildren(`The last change of ${name} was not drawn. `, button('Go back to the previous text', good), ' ', button('Run it', text));
+    said.replaceChildren(`The last change to ${name} was not drawn. `, button('Go back to the previous text', good), ' ', button('Run it', text));
 }
 
 // Has the text of the open draft been drawn?
@@ -104,7 +105,7 @@ function draws() {
 }
 const note = (more) => { const all = drafts(); keep({...all, [at]: {...all[at], ...more, good: textOf(at)}}); };
 
-// Take a small picture of the canvas, in the same turn in which the canvas is drawn.
+// Draw a frame and take a small picture of the canvas at once, before the browser clears the canvas.
 function picture() {
     const {program} = chapter;
     if (document.hidden || !program.module._live_turn()) return;
@@ -128,7 +129,7 @@ for (const button of box.querySelectorAll('.starter')) button.addEventListener('
 box.querySelector('input[type=file]').addEventListener('change', (event) => take(event.target.files[0]));
 box.addEventListener('dragover', (event) => { event.preventDefault(); box.classList.add('over'); });
 box.addEventListener('dragleave', () => box.classList.remove('over'));
-// Without these two listeners, a file that is dropped beside the box would replace the page.
+// Without these two listeners, a file that is dropped outside the box would replace the page.
 addEventListener('dragover', (event) => event.preventDefault());
 addEventListener('drop', (event) => {
     event.preventDefault();
@@ -152,7 +153,7 @@ box.querySelector('.export').addEventListener('click', async () => {
     save(await chapter.exported(), 'shadertoy.glsl');
     say('shadertoy.glsl is written. Paste its text into a new shader on Shadertoy.');
 });
-// A link's shader becomes a draft once it runs.
+// A shader that a link contains becomes a draft once it runs.
 box.querySelector('.live-start')?.addEventListener('click', async () => {
     await new Promise((ran) => { const wait = () => chapter.program?.call('live_runs') && !chapter.classList.contains('live-waits') ? ran() : requestAnimationFrame(wait); wait(); });
     const name = /^\/course\/chapters\/([\w-]+)\.frag$/.exec(chapter.program.state().files[0])?.[1];
@@ -163,5 +164,5 @@ show();
 // The button on the front page opens this page with #new=ball, which starts a draft of a ball.
 if (location.hash.startsWith('#new=')) {
     document.getElementById(location.hash.slice(1))?.click();
-    history.replaceState(null, '', location.pathname); // a reload does not start another draft
+    history.replaceState(null, '', location.pathname); // so that a reload does not start another draft
 }

@@ -1,14 +1,14 @@
-// program.js - a chapter's program in a page: loads the module once, gives it the files that a command line needs, lets
-// it draw frames, and passes on the input on its canvas. This module creates no elements.
+// program.js - runs a chapter's program in a page. It loads the harness once, gives the harness the files that a
+// command line needs, lets it draw frames, and passes on the input on the canvas. It creates no elements.
 import loadHarness from './harness.js';
 
 const ROOT = '/course/';
 const PRESS = 1, RELEASE = 0, REPEAT = 2;
 const FINGER = 30; // the distance, in the page's units, within which a finger grabs a handle
 const POLL = 20; // milliseconds between two checks of a driver that is compiling
-const PIXELS = 1280 * 720; // the most pixels of the drawing buffer; the harness uses fewer if a picture takes long
+const PIXELS = 1280 * 720; // the maximum number of pixels in the drawing buffer; fewer are used if a frame takes too long
 
-// GLFW's key codes by the position of the key. Tab and the function keys are left to the browser.
+// Maps the position of a key on the keyboard to GLFW's key code. Tab and the function keys are left to the browser.
 const KEYS = {
     Space: 32, Quote: 39, Comma: 44, Minus: 45, Period: 46, Slash: 47, Semicolon: 59, Equal: 61, BracketLeft: 91, Backslash: 92,
     BracketRight: 93, Backquote: 96, Escape: 256, Enter: 257, Backspace: 259, Insert: 260, Delete: 261, ArrowRight: 262,
@@ -17,8 +17,8 @@ const KEYS = {
 const CODES = Object.fromEntries(Object.entries(KEYS).map(([code, key]) => [key, code]));
 const CURSORS = {0x36002: 'text', 0x36003: 'crosshair', 0x36004: 'pointer', 0x36005: 'ew-resize', 0x36006: 'ns-resize'};
 
-// GLFW's code for the key of an event; 0 for a key that is left to the browser. These include every key with Ctrl:
-// Ctrl+W closes the page.
+// GLFW's code for the key of an event; 0 for a key that is left to the browser. Every combination with Ctrl, Alt or
+// Command is left to the browser: Ctrl+W closes the page.
 function keyOf(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return 0;
     const match = /^(?:Key([A-Z])|Digit([0-9]))$/.exec(event.code);
@@ -29,7 +29,7 @@ function codeOf(key) {
     return key >= 48 && key <= 57 ? `Digit${key - 48}` : key >= 65 && key <= 90 ? `Key${String.fromCharCode(key)}` : CODES[key];
 }
 
-// If the system asks for reduced motion, the time is paused until the reader starts it.
+// If the system asks for reduced motion, the time is paused until the reader resumes it.
 export const calm = matchMedia('(prefers-reduced-motion: reduce)');
 
 // The labels of the keyboard's keys, if the browser provides them.
@@ -43,15 +43,15 @@ async function fetched(url) {
 }
 
 export class Program {
-    // Load the module for a canvas, which no other program may use. Hooks:
+    // Load the module for a canvas that no other program uses. Hooks:
     //   onLine(text, isError)   the program prints a line
     //   onPicture(data, name)   the program writes a picture, an ImageData
     //   onSize(width, height)   the program asks for a window or a picture of that size
     //   onDraw()                the first picture after a start has been drawn
-    //   onEnd()                 no further turn follows: state().error gives the reason, or nothing
-    //   onLost()                the browser takes the graphics context away
-    //   onFound(fails)          the browser has given the context back; fails: the shader that was running no longer
-    //                           loads
+    //   onEnd()                 the program has ended; state().error is the reason, or '' if the reader closed it
+    //   onLost()                the browser has taken the graphics context away
+    //   onFound(fails)          the browser has given the context back; `fails` is true if the shader that was running
+    //                           can no longer be loaded
     static async load(canvas, hooks = {}) {
         const program = new Program();
         program.canvas = canvas;
@@ -115,7 +115,7 @@ export class Program {
         return this.originals.get(name);
     }
 
-    // Load the missing files that a command line needs: an experiment, then the files that it includes, then its
+    // Load the missing files that a command line needs: first a shader, then the files that it includes, then its
     // textures.
     async fetchFiles(stem, line) {
         for (;;) {
@@ -146,7 +146,7 @@ export class Program {
         const turn = this.starting = Symbol(stem);
         await this.fetchFiles(stem, line);
         if (this.starting !== turn) return 0; // another start or a stop was requested meanwhile
-        this.quiet = true; // what fails here fails again below
+        this.quiet = true; // live_start reports the same errors again
         this.call('live_begin', stem, line);
         this.quiet = false;
         while (!this.call('live_ready')) {
@@ -248,8 +248,8 @@ export class Program {
         canvas.addEventListener('keydown', (event) => key(event, event.repeat ? REPEAT : PRESS));
         canvas.addEventListener('keyup', (event) => key(event, RELEASE));
         canvas.addEventListener('focus', () => module._live_focus(1));
-        // A finger on a handle drags the handle; elsewhere, it scrolls the page. With a tool, every finger works on the
-        // picture.
+        // A finger on a handle drags the handle; elsewhere, it scrolls the page. While a tool is active, a single
+        // finger acts on the picture everywhere.
         canvas.addEventListener('touchstart', (event) => { if (event.touches.length === 1 && this.toHandle(event.touches[0])) event.preventDefault(); }, {passive: false});
         canvas.addEventListener('blur', () => module._live_focus(0));
         // The wheel scrolls the page unless the picture has the focus.
@@ -261,11 +261,11 @@ export class Program {
         this.hearPointer(modifiers);
     }
 
-    // The distance and direction from a finger to the handle that it grabs, in the page's units; null if none is near.
+    // The vector from a finger to the handle that it grabs, in the page's units; null if no handle is near.
     toHandle({clientX, clientY}) {
         const {left, top, width, height} = this.canvas.getBoundingClientRect();
         const {handles = [], tool} = this.state();
-        if (tool) return [0, 0]; // the finger works on the picture
+        if (tool) return [0, 0]; // the finger acts on the picture
         const ways = handles.map(({x, y}) => [left + x * width - clientX, top + y * height - clientY]);
         const near = ways.sort((a, b) => Math.hypot(...a) - Math.hypot(...b))[0];
         return near && Math.hypot(...near) <= FINGER ? near : null;
@@ -278,7 +278,7 @@ export class Program {
     hearPointer(modifiers) {
         const {canvas, module} = this;
         const fingers = new Map(), locked = [0, 0];
-        let spread = 0, held = null, away = [0, 0]; // away: from the finger to the handle that it drags
+        let spread = 0, held = null, away = [0, 0]; // away is the vector from the finger to the handle that it drags
         const between = () => {
             const [a, b] = [...fingers.values()];
             return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);

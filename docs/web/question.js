@@ -1,5 +1,5 @@
-// question.js - the exit questions of a chapter: shows the comment on the answer that is chosen. This is a classic script,
-// because browsers run no modules from file://.
+// question.js - shows the comment on the answer that a reader chooses to an exit question of a chapter. This is a
+// classic script, because browsers run no modules from file://.
 (() => {
     for (const form of document.querySelectorAll('form.question')) {
         form.addEventListener('change', ({target}) => {

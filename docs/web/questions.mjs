@@ -1,5 +1,5 @@
-// questions.mjs - the exit questions of a chapter, docs/questions.txt, as the last section of its page. Without scripts, the
-// comments on the answers can be unfolded; question.js shows the comment on the answer that is chosen.
+// questions.mjs - turns the exit questions of a chapter (docs/questions.txt) into the last section of its page. Without
+// scripts, the comments on the answers can be unfolded; question.js shows the comment on the chosen answer.
 import fs from 'node:fs';
 import {escaped} from './colour.mjs';
 
@@ -14,7 +14,7 @@ function questionOf(block) {
         + `<details><summary>Answers</summary><ol>${answers.map(([, why]) => `<li>${escaped(why ?? 'That is right.')}</li>`).join('')}</ol></details></form>`;
 }
 
-// stem  of the chapter
+// The exit questions of a chapter as HTML; '' if the chapter has none.
 export function questionsOf(stem) {
     const own = all.filter((block) => block.startsWith(`${stem.slice(0, 2)}.`));
     return own.length === 0 ? '' : `\n<h2 id="exit-questions">Questions</h2>\n<p>Choose an answer to see whether it is right and, if not, why.</p>\n${own.map(questionOf).join('\n')}`;

@@ -1,4 +1,4 @@
-// ray.js - the ray of the selected pixel: its outcome, its steps, and buttons to move along it.
+// ray.js - shows the ray of the selected pixel: its outcome, its steps, and buttons to move along it.
 const VIEWS = {Slice: 'slice', Plot: 'plot'};
 
 export class Ray {
@@ -29,10 +29,10 @@ export class Ray {
             const [width, height] = stage.state.size;
             stage.call('live_pixel', Math.floor(width / 2), Math.floor(height / 2));
         });
-        this.none = part('p', {className: 'live-outcome'}, 'Click or tap the picture to follow the ray of that pixel step by step. ', this.middle);
+        this.none = part('p', {className: 'live-outcome'}, 'Click or tap a pixel of the picture to follow its ray step by step. ', this.middle);
         this.slice = part('canvas', {className: 'live-slice', width: 0});
         this.slice.setAttribute('role', 'img');
-        this.slice.setAttribute('aria-label', 'The slice: the ray from the side, with the circles of its steps');
+        this.slice.setAttribute('aria-label', 'The slice view: the ray seen from the side, with the circles of its steps');
         this.element = part('details', {className: 'live-ray', open: !stage.narrow.matches}, this.title, this.slice, this.tools, this.none, this.outcome, this.scroll);
     }
 
@@ -51,7 +51,7 @@ export class Ray {
         for (const button of this.ways) button.setAttribute('aria-pressed', button.view === view);
         if (!chosen) return;
         this.outcome.textContent = why || !probe ? why
-            : `${probe.outcome}; steps: ${probe.steps}; of further rays: ${probe.all_steps - probe.steps}; evaluations of the scene: ${probe.evaluations}; colour: ${probe.colour.join(', ')}`;
+            : `${probe.outcome}; steps: ${probe.steps}; steps of further rays: ${probe.all_steps - probe.steps}; evaluations of the scene: ${probe.evaluations}; colour: ${probe.colour.join(', ')}`;
         if (!probe) return;
         this.steps = probe.march.length;
         const text = JSON.stringify(probe.march);
@@ -64,8 +64,8 @@ export class Ray {
         if (!this.slice.hidden && this.element.open) this.drawSlice(`${text} ${shown}`);
     }
 
-    // On a narrow page the slice is below the picture: the program draws the slice once, and then the current view
-    // again, before the browser shows either.
+    // On a narrow page, the slice is below the picture. The program draws the slice once, and then the current view
+    // again, before the browser shows either of them.
     drawSlice(what) {
         if (what === this.drawn) return;
         this.drawn = what;

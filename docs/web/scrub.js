@@ -1,6 +1,6 @@
-// scrub.js - numbers in sentences: code such as `shadowOffset=0.25` that names a parameter can be dragged sideways or
-// changed with the arrow keys, and the picture nearest to the number follows.
-const WAY = 240; // the distance, in the page's units, from a parameter's minimum to its maximum
+// scrub.js - makes numbers in sentences adjustable: code such as `shadowOffset=0.25`, which names a parameter, can be
+// dragged sideways or changed with the arrow keys, and a picture on the page follows.
+const WAY = 240; // the drag distance, in the page's units, from a parameter's minimum to its maximum
 
 export class Scrub {
     //   code   the element, code.scrub
@@ -39,7 +39,7 @@ export class Scrub {
         this.code.onpointerup = this.code.onpointercancel = () => { this.code.onpointermove = null; };
     }
 
-    // The picture that follows: the running one if it has the parameter, otherwise the nearest one of the chapter.
+    // The picture that follows the number: the running picture if it has the parameter, otherwise the nearest one.
     picture() {
         const top = this.code.getBoundingClientRect().top, far = (one) => Math.abs(one.getBoundingClientRect().top - top) + (one.classList.contains('hands') ? 1e6 : 0);
         const on = document.querySelector('.live-window');
@@ -49,7 +49,7 @@ export class Scrub {
 
     parameter(at) { return at.program?.call('live_runs') && at.program.state().parameters.find(({name}) => name === this.name); }
 
-    // Set the parameter to a value that is moved by this share of the parameter's range.
+    // Set the parameter to the value that `from` returns, moved by this share of the parameter's range.
     async move(from, share) {
         const turn = ++this.turn;
         let at = this.picture();

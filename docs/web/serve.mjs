@@ -11,7 +11,7 @@ const TYPES = {
     '.zip': 'application/zip',
 };
 
-const PACKED = /\.(png|webp|woff2|zip)$/; // these are compressed already
+const PACKED = /\.(png|webp|woff2|zip)$/; // files that are already compressed
 
 // The path in an address; '' if the path is not valid text, as in %FF.
 function nameIn(address) {

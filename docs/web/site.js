@@ -1,10 +1,10 @@
-// site.js - the script of every page: the theme, the search, the section that is being read, and the position where the
-// reader stopped. It is not a module, because browsers run no modules from file://.
+// site.js - the script of every page. It handles the theme, the search, the section that is being read, and the
+// position where the reader stopped. It is not a module, because browsers run no modules from file://.
 (() => {
     const root = document.documentElement;
     const store = (() => { try { return localStorage; } catch { return {}; } })(); // a browser may refuse access
     const page = location.pathname.split('/').pop() || 'index.html';
-    const idOf = (hash) => { try { return decodeURIComponent(hash.slice(1)); } catch { return ''; } }; // #100% names nothing
+    const idOf = (hash) => { try { return decodeURIComponent(hash.slice(1)); } catch { return ''; } }; // #100% is malformed, and names nothing
     const inFiles = document.body.classList.contains('file');
 
     // ---- Theme ----
@@ -98,7 +98,7 @@
         try {
             store[`read ${page}`] = JSON.stringify({id: here.id, words: words(here)});
             store.last = JSON.stringify({page, title: document.querySelector('h1').textContent, id: here.id, words: words(here)});
-        } catch {} // the browser keeps nothing
+        } catch {} // the browser stores nothing
     }
     function offer(text, href, label) {
         const line = document.createElement('p'), link = document.createElement('a'), close = document.createElement('button');
@@ -112,7 +112,7 @@
         document.querySelector('main').prepend(line); // the line floats over the page, so nothing moves
     }
     const last = saved('last'), own = saved(`read ${page}`);
-    const again = performance.getEntriesByType('navigation')[0]?.type !== 'navigate'; // if so, the browser itself restores the position
+    const again = performance.getEntriesByType('navigation')[0]?.type !== 'navigate'; // after a reload or a return, the browser restores the position
     if (page === 'index.html' && last && last.page !== page) offer('You were reading ', `${last.page}#${last.id}`, `${last.title}, ${last.words}`);
     else if (page !== 'index.html' && own && !location.hash && !again && document.getElementById(own.id)) offer('You stopped at ', `#${own.id}`, own.words);
     document.addEventListener('scrollend', keep);
@@ -133,7 +133,7 @@
         element.append(...children);
         return element;
     };
-    // The exercise or the section that a fold belongs to.
+    // The name of the exercise or section that a fold belongs to.
     function ownerOf(fold) {
         let number = '';
         for (let one = fold.previousElementSibling; one; one = one.previousElementSibling) {

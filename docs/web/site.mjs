@@ -1,8 +1,8 @@
 // site.mjs OUT PAGE... - makes a static site from the pages of docs/. `make site` calls it after the module is built.
 //   OUT   the folder of the site, which must exist
-//   PAGE  pages in the order of reading
-// The script also writes the front page, Play, the files that pages link to, the index of the search, the pictures, and
-// the fonts. OUT.parts/ is for intermediate files.
+//   PAGE  the pages in reading order, as files
+// The script also writes the front page, the Play page, a page for each file that pages link to, the search index, the
+// pictures, and the fonts. OUT.parts/ is for intermediate files.
 import {createHash} from 'node:crypto';
 import {execFile} from 'node:child_process';
 import fs from 'node:fs';
@@ -46,7 +46,7 @@ async function pageOf(file) {
     return page;
 }
 
-// One page at a time per processor, because each pandoc uses a whole processor.
+// Convert only one page at a time per processor, because each pandoc uses a whole processor.
 async function pagesOf(names) {
     const pages = [];
     let next = 0;
@@ -59,21 +59,21 @@ async function pagesOf(names) {
     return pages;
 }
 
-// The note below a chapter's program, because the page speaks of a terminal, which a reader may not have.
-const HERE_TOO = '<p class="note">You need no terminal on this page: <b>Run</b> carries out the command beside it, a picture becomes a running program when you touch it, and <b>Edit</b>, below it, opens its shader. '
+// The note below a chapter's program. It is needed because the page speaks of a terminal, which a reader may not have.
+const HERE_TOO = '<p class="note">You need no terminal on this page: <b>Run</b> runs the command beside it, a picture becomes a running program when you click or tap it, and <b>Edit</b>, below the program, opens its shader. '
     + '<a href="pages.html">How these pages work</a></p>';
 const hinted = (page) => page.stem ? page.body.replace(/<\/live-chapter>(?:\s*<div class="commands">.*?<\/button><\/div><\/div>)?/s, (program) => `${program}\n${HERE_TOO}`) : page.body;
 
 // ---- Proofs ----
 
-// With its surroundings, a page has at most 150 KB of text: a phone takes too long to load and lay out more. If a page
-// is heavier, its proofs become a separate page.
+// Including the navigation around its body, a page has at most 150 KB of HTML, because a phone takes too long to load
+// and lay out more. If a body is larger than HEAVY bytes, its proofs become a separate page.
 const HEAVY = 140e3;
 
 const idsOf = (html) => new Set([...html.matchAll(/\sid="([^"]*)"/g)].map(([, id]) => id));
 
-// The separate page for the proofs of a heavy page, which keeps a list of links to the proofs; undefined for other
-// pages.
+// Move the proofs of a heavy page to a separate page, and leave a list of links to them. Returns the new page, or
+// undefined if the page is not heavy.
 function proofsOf(page) {
     if (Buffer.byteLength(page.body) <= HEAVY) return undefined;
     const [whole, heading, body] = /(<h2 id="proofs">.*?<\/h2>)(.*?)(?=<h2|$(?![^]))/s.exec(page.body) ?? [];
@@ -88,7 +88,7 @@ function proofsOf(page) {
     };
 }
 
-// Put each page of proofs after the page that it belongs to, and adapt every link to the new position of its target.
+// Insert each page of proofs after the page that it belongs to, and update every link to a target that has moved.
 function parted(pages) {
     const all = pages.flatMap((page) => [page, proofsOf(page)].filter(Boolean));
     for (const proofs of all.filter(({of}) => of)) {
@@ -176,7 +176,8 @@ function write(page, pages) {
 
 // ---- The front page and Play ----
 
-// The rows of the table of chapters in README.md: picture, alternative text, page, title, what you can do afterwards.
+// The rows of the table of chapters in README.md: for each, the picture, its alternative text, the chapter's title and
+// stem, and what a reader can do afterwards.
 const rows = () => [...read('README.md').matchAll(/^\| !\[([^\]]*)\]\(([^)]*)\) \| \[([^\]]*)\]\(docs\/([^)]*)\.md\) \| (.*) \|$/gm)]
     .map(([, alt, picture, title, stem, can]) => ({alt, picture, title, stem, can}));
 
@@ -218,7 +219,7 @@ const drop = (poster) => `<div class="drop"><div class="starters" role="group" a
     + '<button type="button" class="export" disabled>Export for Shadertoy</button> <span class="said" role="status"></span></p>'
     + `<live-chapter stem="01_normal_colouring" play><img ${poster}></live-chapter></div>`;
 
-// The landscape over a day: a still picture, replaced by a film once the page is loaded.
+// The landscape over a day, as a still picture that a film replaces once the page has been loaded.
 function film() {
     const [width, height] = [640, 360], name = '21_a_landscape.webp';
     pictures.set(name, 'tests/references/21_a_landscape-smooth.png').set('day.webp', `${HERE}day.webp`);
@@ -238,7 +239,7 @@ function prepared(name) {
 
 // The letters that each font needs, {text, formula}. Browsers set single letters of a formula in italics by themselves.
 function letters(pages) {
-    const text = new Set(), formula = new Set('0123456789𝜕𝜖𝜗𝜙√'); // a root's sign is drawn, but is not in any text
+    const text = new Set(), formula = new Set('0123456789𝜕𝜖𝜗𝜙√'); // the radical sign is drawn, but is not in the text
     const add = (set, html) => { for (const letter of plain(html)) if (letter > ' ') set.add(letter); };
     for (const {body} of pages) {
         for (const [found] of body.matchAll(/<math.*?<\/math>/gs)) add(formula, found);

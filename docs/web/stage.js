@@ -1,5 +1,5 @@
-// stage.js - a running program with its controls: canvas, views, time, values, the ray of a pixel, the editor. A page
-// has only one, in the <live-chapter> that was used last.
+// stage.js - a running program with its controls: canvas, views, time, values, the ray of a pixel, and the editor. A
+// page has only one stage, in the <live-chapter> that was used last.
 import {calm, Program} from './program.js';
 import {Changes} from './changes.js';
 import {shownBy, withChanges} from './edits.js';
@@ -11,7 +11,7 @@ const LONG = 2000; // milliseconds of compiling after which the reader is told
 const PRESS = 1, RELEASE = 0;
 const PAD = [['◀', 65, 'left'], ['▲', 87, 'forwards'], ['▼', 83, 'backwards'], ['▶', 68, 'right'], ['⤒', 32, 'up'], ['⤓', 67, 'down']];
 const RESTART = 82, SHIFT = 1, NEXT_HANDLE = 257, TAKE_BACK = 85;
-// The drawing of a button on a narrow page, within 24 by 24 units.
+// The icons of the buttons on a narrow page, as SVG paths within 24 by 24 units.
 const ICONS = {
     'Pause': 'M8 5v14M16 5v14', 'Resume': 'M8 5l11 7-11 7z', 'Restart': 'M5 12a7 7 0 1 0 2-5M5 3v5h5', 'Undo stroke': 'M9 4L4 9l5 5M4 9h10a5 5 0 0 1 0 10H9', 'Views': 'M2 12q10-14 20 0q-10 14-20 0zM12 9a3 3 0 1 0 .1 0',
     'Values': 'M4 6h16M4 12h16M4 18h16M9 4v4M15 10v4M7 16v4', 'Ray': 'M12 3v6M12 15v6M3 12h6M15 12h6M12 11.5v1', 'Move': 'M12 3v18M3 12h18M9 6l3-3 3 3M9 18l3 3 3-3M6 9l-3 3 3 3M18 9l3 3-3 3',
@@ -30,7 +30,7 @@ export class Stage {
             onSize: (width, height) => { stage.asked = [width, height]; },
             onDraw: () => stage.drew(),
             onEnd: () => stage.ended(),
-            onLost: () => stage.note('The graphics driver stopped drawing this picture. It is drawn again as soon as the browser allows.', ...stage.undoing()),
+            onLost: () => stage.note('The graphics driver stopped drawing this picture. It will be drawn again as soon as the browser allows.', ...stage.undoing()),
             onFound: (fails) => stage.found(fails),
         });
         setInterval(() => stage.look(), LOOK);
@@ -43,7 +43,7 @@ export class Stage {
         return button;
     }
 
-    // A button that also has a drawing.
+    // A button that shows an icon on a narrow page.
     icon(text, act, more = {}) {
         return this.name(this.button('', act, {...more, className: `live-iconed ${more.className ?? ''}`}), text);
     }
@@ -171,8 +171,8 @@ export class Stage {
         return this.program.call('live_runs') ? without : status;
     }
 
-    // The context is back. If the reader's changes can no longer be loaded, show the picture without them, as at a
-    // start.
+    // The browser has restored the graphics context. If the reader's changes can no longer be loaded, show the picture
+    // without them, as after a start.
     async found(fails) {
         const {turn} = this;
         this.note('');
@@ -184,7 +184,7 @@ export class Stage {
         if (this.turn === turn && !this.program.call('live_runs')) this.ended();
     }
 
-    // While the driver compiles, say so; if compiling takes long, offer to undo the reader's changes.
+    // Show whether the driver is compiling. If compiling takes long, offer to undo the reader's changes.
     compiles(does) {
         this.at?.classList.toggle('live-waits', does);
         if (does) this.patience ??= setTimeout(() => { this.slow = true; this.note('The graphics driver is still compiling.', ...this.undoing()); }, LONG);
@@ -249,7 +249,7 @@ export class Stage {
         this.look();
     }
 
-    // Show the ray that a picture shows.
+    // Select the ray that the replaced picture shows.
     follow({probe}) {
         if (!probe) return;
         const {size} = this.program.state(), [x, y] = probe.split(',').map((share, i) => Math.floor(share * size[i]));
@@ -334,11 +334,11 @@ export class Stage {
         const at = this.at;
         if (document.fullscreenElement) document.exitFullscreen();
         else if (at.requestFullscreen) at.requestFullscreen();
-        else at.classList.toggle('live-wide'); // for phones that have no full screen
+        else at.classList.toggle('live-wide'); // for phones without a full-screen mode
         this.canvas.focus({preventScroll: true});
     }
 
-    // The running shader as a file for Shadertoy, made by a separate program; the one in the page continues.
+    // The running shader, converted for Shadertoy by a separate program; the program in the page continues.
     async exported() {
         const lines = [], names = this.state.files.map((path) => path.replace('/course/', ''));
         const other = await Program.load(this.part('canvas'), {onLine: (text) => lines.push(text)});
@@ -361,8 +361,8 @@ export class Stage {
         const state = this.state = this.program.state();
         if (this.views.childElementCount !== state.views.length)
             this.views.replaceChildren(...state.views.map((name, view) => this.button(name, () => this.call('live_view', view))));
-        // A text with its own main has no camera, no views and no trace of a ray; an interactive figure needs none of
-        // these, and no time.
+        // A shader with its own main() has no camera, no views and no recorded rays. An interactive figure needs none
+        // of these, and no clock.
         this.views.hidden = this.pad.hidden = this.mover.hidden = this.back.hidden = this.rays.hidden = this.ray.element.hidden = state.views.length === 1 || this.at.hasHands;
         this.viewer.hidden = this.clock.hidden = this.status.hidden = this.at.hasHands;
         this.undo.hidden = !state.tool;
@@ -375,7 +375,7 @@ export class Stage {
         const error = state.error.replaceAll('/course/', '');
         if (this.error.textContent !== error) this.error.textContent = error;
         this.error.hidden = error === '';
-        // An input that nothing sets is reported over the picture, until there is a worse message.
+        // An input that nothing sets is reported over the picture until there is a more serious message.
         if (error === '' && state.unset !== this.unset) this.note(state.unset);
         this.unset = state.unset;
         if (this.wrong && error === '') this.note(this.wrong.replaceAll('/course/', ''));

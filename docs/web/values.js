@@ -1,4 +1,4 @@
-// values.js - a row for each parameter of the shader: slider, number, unit, help, and a button that resets the value.
+// values.js - shows a row for each parameter of the shader: sliders, numbers, help with the unit, and a Reset button.
 
 // The scale of a parameter's slider, which is logarithmic if a key press multiplies the value.
 function scaleOf(parameter) {

@@ -1,6 +1,6 @@
 #!/bin/bash
-# benchmark.sh - tests --benchmark: its figures are consistent with each other, and it counts the same evaluations as
-# --probe. It also tests make benchmark and the tables of docs/benchmark.md.
+# benchmark.sh - tests that the figures of --benchmark are consistent with each other, and that it counts the same
+# evaluations as --probe. It also tests make benchmark and the tables of docs/benchmark.md.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -15,12 +15,12 @@ value() { sed -n "s/^  \"$1\": \(.*[^,]\),\{0,1\}\$/\1/p" "$scratch/out"; }
 holds() { awk "BEGIN { exit !($1) }" || { echo "# false: $1"; return 1; }; }
 
 text() { run --benchmark 5 -s 64x36 -t 2 && [ ! -s "$scratch/err" ] && grep -q '^picture  *64x36, time 2 s.* frames: 5$' "$scratch/out"; }
-check 'aligned text' text # tests/unit/numbers.c tests the lines of this text
+check 'a benchmark prints aligned text' text # tests/unit/numbers.c tests the lines of this text
 json() { run --benchmark 7 --benchmark=json -s 48x27 && [ ! -s "$scratch/err" ] && [ "$(value frames)" = 7 ] && [ "$(value frame_median_gpu_ms)" = null ]; }
-check 'JSON gives the number of frames' json
+check 'the JSON output gives the number of frames' json
 if command -v python3 >/dev/null; then
     valid() { python3 -c 'import json, sys; json.load(sys.stdin)' <"$scratch/out"; }
-    check 'the output is valid JSON' valid
+    check 'the output of --benchmark=json is valid JSON' valid
 fi
 ordered() {
     local clock
@@ -28,9 +28,9 @@ ordered() {
         holds "$(value frame_minimum_${clock}_ms) > 0 && $(value frame_minimum_${clock}_ms) <= $(value frame_median_${clock}_ms) && $(value frame_median_${clock}_ms) <= $(value frame_maximum_${clock}_ms)" || return 1
     done
 }
-check 'minimum, median and maximum are in order' ordered
+check 'the minimum, median and maximum of the frame times are in order' ordered
 cold() { holds "$(value compile_cpu_ms) > 1 && $(value first_frame_cpu_ms) > 3 * $(value frame_median_cpu_ms)"; }
-check 'compilation takes more than 1 ms, and the first frame more than three median frames' cold
+check 'compilation takes more than 1 ms, and the first frame takes longer than three median frames' cold
 caches() { find "$scratch/cache" -type f -size +0 2>/dev/null | grep -q .; }
 uncached() {
     mkdir "$scratch/cache" && MESA_SHADER_CACHE_DIR=$scratch/cache run --benchmark 1 -s 48x27 && ! caches
@@ -52,7 +52,7 @@ counted() {
         holds "$(value evaluations_p99) == $(sed -n 24p "$scratch/probes")" &&
         holds "($(value evaluations_mean) - $(awk '{ s += $1 } END { print s / NR }' "$scratch/probes")) ^ 2 < 1e-4"
 }
-check 'evaluations: the mean, the 99th percentile and the maximum are those of the probes' counted
+check 'the mean, the 99th percentile and the maximum of the evaluations are those of the probes' counted
 # A shader whose pixels evaluate the distance 0, 1, 2, ..., 199 times.
 cat >"$scratch/count.frag" <<'GLSL'
 #include "main.glsl"
@@ -71,7 +71,7 @@ percent() {
     run --benchmark=json -s 20x10 -f "$scratch/count.frag" && [ "$(value evaluations_mean)" = 99.5000 ] &&
         [ "$(value evaluations_p99)" = 197 ] && [ "$(value evaluations_maximum)" = 199 ]
 }
-check 'the mean, the 99th percentile and the maximum of known counts' percent
+check 'the mean, the 99th percentile and the maximum of known counts are right' percent
 # ---- Marches compared with the fewest evaluations that would be enough ----
 
 bound() {
@@ -80,7 +80,7 @@ bound() {
         holds "($(value march_evaluations) / $(value march_bound) - $(value march_over_bound)) ^ 2 < 1e-6"
 }
 check 'no march takes fewer evaluations than the bound' bound
-# Rays that leave a plane perpendicularly and start 1 above it. Of the 576 rays that are examined, the 288 in the left
+# The rays leave a plane perpendicularly, and start 1 above it. Of the 576 rays that are examined, the 288 in the left
 # half take steps of 1, 2, 4 and 8 to the end at 15, 144 take one step of 1 to the end at 1, and 144 do not march. One
 # evaluation would be enough, because t - d is -1 everywhere on a ray, where d is the distance at t.
 cat >"$scratch/leave.frag" <<'GLSL'
@@ -100,9 +100,9 @@ known() {
         [ "$(value march_over_bound_minimum)" = 1.0000 ]
 }
 check 'a known march is counted, and rays that do not march are left out' known
-# Parallel rays perpendicular to a plane at a distance of 10: a march takes 2 evaluations. The picture has two blocks of
-# pixels, and the march of each block's cylinder also takes 2. These 4 are shared among 128 pixels, in the mean and in
-# the evaluations of the march. The bound is that of single rays.
+# Parallel rays meet a plane perpendicularly at a distance of 10, so a march takes 2 evaluations. The picture has two
+# blocks of pixels, and the march of each block's cylinder also takes 2. These 4 evaluations are shared among 128
+# pixels, in the mean and in the evaluations of the march. The bound is that of single rays.
 cat >"$scratch/shared.frag" <<'GLSL'
 #include "main.glsl"
 #include "march.glsl"
@@ -129,7 +129,7 @@ whole() { run --benchmark 2 -f tests/pictures/reference_scene.frag -s 32x18 && g
     [ "$(value march_over_bound)" = null ]; }
 check 'no evaluations are counted in a file with its own main' whole
 set_ones() { run --benchmark=json -s 32x18 -p maxSteps=3 && holds "$(value evaluations_maximum) < 30"; }
-check 'parameters take effect' set_ones
+check 'parameters take effect in a benchmark' set_ones
 
 # ---- make benchmark ----
 

@@ -1,7 +1,7 @@
 #!/bin/bash
 # dialects.sh - tests the small shaders of tests/shaders/dialects.txt: each is drawn or refused, as its heading says. A
-# shader that is drawn is also exported with --print-shader=shadertoy: Shadertoy would accept the exported file, which
-# gives the same colour here, or the export is refused in the words of the heading.
+# shader that is drawn is also exported with --print-shader=shadertoy: either Shadertoy would accept the exported file,
+# which gives the same colour here, or the export is refused in the words of the heading.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -31,16 +31,16 @@ near() { # COLOUR COLOUR: true if no channel differs by more than 1
         for (i = 1; i <= 3; i++) if (a[i] - b[i] > 1 || b[i] - a[i] > 1) exit 1 }'
 }
 
-# export_of FILE COLOUR WORDS: the exported file is drawn in this colour or, if WORDS is not empty, the export is
-# refused in these words. The exports of whole_* are not validated: they have an integer where a float is needed, which
-# Shadertoy does not accept (docs/using.md).
+# export_of FILE COLOUR WORDS: true if the exported file is drawn in this colour or, if WORDS is not empty, the export
+# is refused in these words. The exports of whole_* are not validated, because they have an integer where a float is
+# needed, which Shadertoy does not accept (docs/using.md).
 export_of() {
     local exported=$scratch/exported.frag
     if ! "$program" -f "$1" --print-shader=shadertoy >"$exported" 2>"$scratch/err"; then
         [ -n "$3" ] && [ ! -s "$exported" ] && [ "$(grep -c '' "$scratch/err")" = 1 ] && grep -qF "$3" "$scratch/err"
         return
     fi
-    ! grep -qE '^ *(layout *\([^)]*\) *)?uniform ' "$exported" || return # Shadertoy would not set it
+    ! grep -qE '^ *(layout *\([^)]*\) *)?uniform ' "$exported" || return # Shadertoy would not set such a uniform
     [ -z "$3" ] && { [[ $1 = */whole_* ]] || valid "$exported"; } && probe "$exported" && near "$colour" "$2"
 }
 
@@ -54,7 +54,7 @@ while read -r name kind right; do
     :) if [ "$status" = 0 ] && near "$colour" "$right" && [ "$lines" = 1 ]; then
             ok "$name is drawn"
         elif [ "$status" = 0 ] && near "$colour" "$right" && [[ $name = *silent* ]] && [ "$lines" -gt 1 ]; then
-            ok "$name is drawn, and reports the channels that are silent"
+            ok "$name is drawn, and its silent channels are reported"
         else not_ok "$name is drawn" "status $status: $(tr '\n' ' ' <<<"$said")"; fi ;;
     \!) if [ "$status" = 1 ] && { [ "$lines" = 1 ] || [[ $right = *:[0-9]*:* ]]; } && grep -qF "$right" <<<"$said"; then
             ok "$name is refused"

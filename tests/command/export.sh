@@ -13,8 +13,8 @@ small=(-s 160x90)
 # prints PROGRAM OPTION...: writes the exported file to $scratch/toy.frag.
 prints() { "$@" --print-shader=shadertoy >"$scratch/toy.frag" 2>"$scratch/err"; }
 
-# same PROGRAM OPTION...: the exported file renders the same picture as the shader. For the exported file, only the size
-# and the time are given, because the file contains the values of the other options.
+# same PROGRAM OPTION...: true if the exported file renders the same picture as the shader. For the exported file, only
+# the size and the time are given, because the file contains the values of the other options.
 same() {
     local program=$1 numbers
     shift
@@ -25,8 +25,8 @@ same() {
 }
 worst=0
 
-# refused_textures PROGRAM OPTION...: nothing was printed, and the one line of error names each texture that the shader
-# reads. The shader reads at least one.
+# refused_textures PROGRAM OPTION...: true if nothing was printed, the shader reads at least one texture, and the only
+# line on standard error names every texture that it reads.
 refused_textures() {
     [ ! -s "$scratch/toy.frag" ] && [ "$(wc -l <"$scratch/err")" = 1 ] && "$@" --list >"$scratch/parts" &&
         grep -q '^texture ' "$scratch/parts" && sed '1,/^texture /d' "$scratch/parts" | while read -r _ file _; do
@@ -38,14 +38,14 @@ passes() { # NAME PROGRAM OPTION...: true if a file was printed and is valid
     local name=$1
     shift
     if prints "$@"; then
-        check "$name is valid as a shader of Shadertoy" valid "$scratch/toy.frag"
+        check "the export of $name is valid for Shadertoy" valid "$scratch/toy.frag"
     else
-        check "$name is refused, because it reads textures" refused_textures "$@" || sed 's/^/# /' "$scratch/err"
+        check "the export of $name is refused, because the shader reads textures" refused_textures "$@" || sed 's/^/# /' "$scratch/err"
         return 1
     fi
 }
 exported() { # NAME PROGRAM OPTION...
-    passes "$@" && check "$1 looks the same" same "${@:2}"
+    passes "$@" && check "the export of $1 looks the same" same "${@:2}"
 }
 
 # An exported file has no coarse pass, and a picture that shows steps would reveal this. The chapter is therefore
@@ -67,17 +67,17 @@ exported 'a camera' "$BUILD/01_normal_colouring" -c 0,1,5,10,-10
     cat chapters/01_normal_colouring.frag
     printf 'vec3 part() { return vec3(gl_FragCoord.xy + iPixelOffset, VIEW); }\n'
 } | sed 's/return SKY;/return part() * 0.001;/; s/^vec3 rayColour/vec3 part();\n&/' >"$scratch/part.frag"
-exported 'the position of a pixel, which the shader itself reads' "$BUILD/01_normal_colouring" -f "$scratch/part.frag"
+exported 'a shader that itself reads the position of a pixel' "$BUILD/01_normal_colouring" -f "$scratch/part.frag"
 
-exported 'a shader with a coarse pass, which the exported file lacks' "$BUILD/01_normal_colouring" -f tests/shaders/coarse.frag -p coarsePass=false
-# Experiments and solutions are only validated, not rendered; under Wine, where programs start slowly, only those of
-# chapter 03.
+exported 'a shader with a coarse pass' "$BUILD/01_normal_colouring" -f tests/shaders/coarse.frag -p coarsePass=false
+# The exports of experiments and solutions are validated, but not rendered. Under Wine, where programs start slowly,
+# only those of chapter 03 are validated.
 for file in chapters/experiments/*.frag chapters/solutions/*.frag; do
     case ${SYSTEM-}$file in Windows*/03_*) ;; Windows*) continue ;; esac
     passes "${file#chapters/}" "$BUILD/01_normal_colouring" -f "$file"
 done
 
-# Whole files with spellings that the chapters do not use.
+# These whole files have spellings that the chapters do not use.
 printf '%s\n' '#version 330 core // comments with main, in and out' 'smooth in vec2 FragCoord; in highp float Time;' \
     'in vec3 Ex, Ey, Ez, CamPos; in float fovValue, FacteurLargeur, OrthoView, CustomToggle, CustomInt;' \
     'layout(location = 0) out mediump vec4 toy;' 'void grow(in float a, inout float b, out float c) { b += a; c = b; }' \
@@ -93,7 +93,7 @@ printf '#version 120\nvarying vec2 FragCoord; void main() { gl_FragColor = vec4(
 exported 'gl_FragColor' "$BUILD/01_normal_colouring" -f "$scratch/old.frag"
 printf '#version 330 core\nvoid main() { gl_FragDepth = 0.0; }\n' >"$scratch/none.frag"
 none() { ! "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$scratch/none.frag" >"$scratch/toy.frag" 2>"$scratch/err" && [ ! -s "$scratch/toy.frag" ] && grep -q 'none.frag: no output' "$scratch/err"; }
-check 'a file without an output is refused' none
+check 'the export of a file without an output is refused' none
 printf 'void mainImage(out vec4 c, vec2 p) { c = vec4(1.0); } // toy\n' >"$scratch/given.frag"
 stays() { "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$scratch/given.frag" | cmp -s - "$scratch/given.frag"; }
 check "a Shadertoy file is printed unchanged" stays
@@ -103,7 +103,7 @@ reads_both() {
     ! prints "$BUILD/01_normal_colouring" -f "$scratch/stone.frag" && refused_textures "$BUILD/01_normal_colouring" -f "$scratch/stone.frag" &&
         grep -q 'stone.frag: reads shaders/textures/granite.png, shaders/textures/noise.png: Shadertoy takes no files' "$scratch/err"
 }
-check 'a shader of the course that reads textures is refused, with their names' reads_both
+check 'the export of a shader that reads textures is refused, and the textures are named' reads_both
 printf '%s\n' '#version 330 core' 'uniform sampler2D iChannel0; uniform vec3 iChannelResolution[4];' 'in vec2 FragCoord; out vec4 c;' \
     'void main() { c = texture(iChannel0, 0.3 * FragCoord) * min(iChannelResolution[0].x, 1.0); }' >"$scratch/channel.frag"
 channel=(--channel "0=shaders/textures/granite.png")
@@ -113,7 +113,7 @@ same_channel() {
         "$BUILD/tests/compare" "$scratch/own.png" "$scratch/toy.png" >/dev/null
 }
 passes 'a whole file with a channel' "$BUILD/01_normal_colouring" -f "$scratch/channel.frag" "${channel[@]}" &&
-    check 'a whole file with a channel looks the same' same_channel
+    check 'the export of a whole file with a channel looks the same' same_channel
 named() {
     local name=$scratch/$'two\nlines.frag'
     cp chapters/01_normal_colouring.frag "$name"
@@ -125,5 +125,5 @@ if [ "${SYSTEM-}" = Windows ]; then
 else
     check "a line break in a shader's name does not end the comment" named
 fi
-echo "# the largest difference of a picture: F2 $worst"
+echo "# the largest difference between two pictures: F2 $worst"
 plan

@@ -9,8 +9,8 @@ cd "$(dirname "$0")/../.." || exit 1
 
 open_scratch
 chmod 755 "$scratch"
-out=$scratch/out         # where the pictures go
-shaders=$scratch/shaders # shader files that are wrong
+out=$scratch/out         # the folder for the pictures
+shaders=$scratch/shaders # the folder for faulty shader files
 mkdir "$out" "$shaders"
 chapter=$root/$BUILD/03_shadows
 unset DISPLAY WAYLAND_DISPLAY
@@ -57,7 +57,7 @@ complaint() { # STATUS PATTERN LINES
 }
 
 # refuse NAME STATUS PATTERN COMMAND...: the command must fail with this status and one line that matches the pattern.
-# refuse_at_length allows any number of lines, for errors in a shader.
+# refuse_at_length allows any number of lines, for errors in a shader. NAME is the subject of 'is reported'.
 refuse() { judge one "$@"; }
 refuse_at_length() { judge many "$@"; }
 expected_listing='./old.png '
@@ -66,7 +66,7 @@ judge() {
     shift 4
     run "$@"
     why=$(complaint "$wanted" "$pattern" "$lines")
-    if [ -z "$why" ]; then ok "$name"; else not_ok "$name" "$(echo "$why" "$error" | tr '\n' ' ')"; fi
+    if [ -z "$why" ]; then ok "$name is reported"; else not_ok "$name is reported" "$(echo "$why" "$error" | tr '\n' ' ')"; fi
     [ -z "$why" ] || [ -n "${keep-}" ] || fill
 }
 
@@ -96,16 +96,16 @@ fill
 
 refuse 'a value out of range' 2 "--size" "$chapter" -o "$out/new.png" --size 99999x99999
 refuse 'an unknown option' 2 "'--colour'" "$chapter" "${to[@]}" --colour red
-# A step after the last one of the middle pixel's march cannot be shown.
+# A step beyond the last step of the middle pixel's march cannot be shown.
 last_step=$("$chapter" "${small[@]}" --probe 8,4 | awk -F, '/^[0-9]/ { n = $1 } END { print n }')
-refuse 'a step just beyond the last one' 1 "the march of pixel 8,4 has $((last_step + 1)) steps" \
+refuse 'a step just beyond the last step' 1 "the march of pixel 8,4 has $((last_step + 1)) steps" \
     "$chapter" "${to[@]}" -v slice --step $((last_step + 1))
 refuse 'an unknown parameter' 2 'lampHeigth.*lampHeight' "$chapter" "${to[@]}" -p lampHeigth=2
-refuse 'an unknown parameter, without a display' 2 'lampHeigth' "$chapter" -p lampHeigth=2
+refuse 'an unknown parameter without a display' 2 'lampHeigth' "$chapter" -p lampHeigth=2
 for action in --list --print-shader=shadertoy; do
     refuse "an unknown parameter with $action" 2 'lampHeigth' "$chapter" $action -p lampHeigth=2
 done
-refuse 'a parameter of a whole file' 2 'sun' "$root/$BUILD/00_first_scene" "${to[@]}" -p sun=1
+refuse 'a parameter that is set for a whole file' 2 'sun' "$root/$BUILD/00_first_scene" "${to[@]}" -p sun=1
 
 clay=$root/$BUILD/23_stored_distances
 refuse 'a stroke without points' 2 "--stroke '0.09': must be AMOUNT,X,Y,Z" "$clay" "${to[@]}" --stroke 0.09
@@ -133,38 +133,38 @@ printf '#include "03_shadows.frag"\nuniform sampler2D stone; // "granite.png" sR
 refuse 'an output that is also given with --texture' 1 "stone.png, which this run reads" \
     "$chapter" --texture stone="$out/stone.png" -f "$shaders/stone.frag" -o "$out/stone.png"
 same_noise() { cmp -s shaders/textures/noise.png "$out/stone.png"; }
-check 'the texture is unchanged' same_noise
+check 'a texture that is given as the output is unchanged' same_noise
 expected_listing='./old.png ' keep=''
 fill
 if [ "$BUILD" = build ]; then # a sanitizer needs more memory and prints other messages
     echo 'void mainImage(out vec4 c, vec2 p) { c = vec4(0.5); }' >"$shaders/grey.frag"
     "$chapter" -f "$shaders/grey.frag" -s 4096x4096 -o "$scratch/large.png"
-    # It is unknown how much memory a driver itself needs, so the limit is slightly above the smallest one with which a
-    # small picture can be rendered.
+    # It is unknown how much memory the driver itself needs, so the limit is slightly above the smallest limit with
+    # which a small picture can be rendered.
     limit=1600000
     little() { (ulimit -v "$limit" && exec "$chapter" -f "$shaders/stone.frag" "$@"); }
     while little -s 16x16 -o "$scratch/small.png" >/dev/null 2>&1 && [ "$limit" -gt 200000 ]; do
         limit=$((limit - 50000))
     done
     limit=$((limit + 70000))
-    refuse 'not enough memory for a texture' 1 'stone.frag:2: sampler stone: .*large.png: .*not enough memory' \
+    refuse 'a lack of memory for a texture' 1 'stone.frag:2: sampler stone: .*large.png: .*not enough memory' \
         little "${to[@]}" --texture stone="$scratch/large.png"
 fi
-refuse 'a view of a whole file' 1 '00_first_scene.frag' "$chapter" "${to[@]}" -v depth -f "$whole"
+refuse 'a view that a whole file lacks' 1 '00_first_scene.frag' "$chapter" "${to[@]}" -v depth -f "$whole"
 printf '#include "part.glsl"\n#include "main.glsl"\n' >"$shaders/i.frag"
 printf '// a comment\nfloat halved(float x)\n{\n    return 0.5 * y;\n}\n' >"$shaders/part.glsl"
 refuse_at_length 'an undeclared name in an included file' 1 'part.glsl:4.*y' "$chapter" "${to[@]}" -f "$shaders/i.frag"
 if windows; then
-    skip 'an error in a file with a line break in its name' 'no file name contains one'
+    skip 'an error in a file with a line break in its name is reported' 'no file name contains a line break'
 else
     sed 's/FragColor = /FragColour = /' "$whole" >"$shaders/"$'new\nline.frag'
     refuse_at_length 'an error in a file with a line break in its name' 1 'new?line.frag:[0-9]*.*FragColour' \
         "$chapter" "${to[@]}" -f "$shaders"/$'new\nline.frag'
 fi
-refuse '--root without shaders' 1 '--root' "$chapter" "${to[@]}" --root "$shaders"
+refuse 'a --root folder without shaders' 1 '--root' "$chapter" "${to[@]}" --root "$shaders"
 mkdir "$scratch/alone"
 copy_program "$scratch/alone"
-refuse 'a program far from its shaders' 1 '--root' "$scratch/alone/03_shadows" "${to[@]}"
+refuse 'a program outside the folder of the project' 1 '--root' "$scratch/alone/03_shadows" "${to[@]}"
 mkdir -p "$scratch/empty root/shaders"
 : >"$scratch/empty root/shaders/screen.vert"
 refuse 'a project with an empty vertex shader' 1 'screen.vert.*empty' \
@@ -172,7 +172,7 @@ refuse 'a project with an empty vertex shader' 1 'screen.vert.*empty' \
 
 # ---- The location of the picture ----
 
-refuse 'the output is checked before any work' 1 'folder.*nowhere' \
+refuse 'a missing folder for the output, and not the error in the shader,' 1 'folder.*nowhere' \
     "$chapter" "${small[@]}" -o "$out/nowhere/new.png" -f "$shaders/i.frag"
 
 # A picture never replaces a file that the run reads: the shader itself, an included file, the target of a symbolic
@@ -187,9 +187,9 @@ kept() { cmp -s "$out/part.png" "$good" && [ -L "$out/link.png" ] && grep -q par
 for name in read part link hard row-%d; do
     frames=()
     [ "$name" = row-%d ] && frames=(--frames 3)
-    keep=1 refuse "an output that is read: $name" 1 "which this run reads" \
+    keep=1 refuse "an output to $name.png, which is read," 1 "which this run reads" \
         "$chapter" "${small[@]}" "${frames[@]}" -f "$out/read.png" -o "$out/$name.png"
-    check "an output that is read: $name: the file is unchanged" kept
+    check "an output to $name.png leaves the files that are read unchanged" kept
 done
 expected_listing='./old.png '
 fill
@@ -207,7 +207,7 @@ fill
 # The shader cache is on a full disk. Only a user who may mount file systems can test this.
 mkdir "$scratch/home"
 full_cache() {
-    # shellcheck disable=SC2016 # for the inner shell
+    # shellcheck disable=SC2016 # the inner shell expands the variables
     "${alone[@]}" bash -c 'mount -t tmpfs -o size=64k none "$0" && { cat /dev/zero >"$0/fill"; "$@"; }' \
         "$scratch/home" env MESA_SHADER_CACHE_DIR="$scratch/home" "$chapter" "${to[@]}" 2>&1 |
         grep -v 'No space left' >&2
@@ -219,9 +219,9 @@ for how in -m -rm; do
     alone=()
 done
 if [ ${#alone[@]} = 0 ]; then
-    skip 'a full disk for the shader cache' 'this user may not mount file systems'
+    skip 'a full disk for the shader cache is reported' 'this user may not mount file systems'
 elif full_cache >/dev/null 2>&1; then
-    ok 'a full disk for the shader cache' # this driver renders without its cache
+    ok 'a full disk for the shader cache does not stop the driver' # this driver renders without its cache
     fill
 else
     refuse 'a full disk for the shader cache' 1 'MESA_SHADER_CACHE_DISABLE' full_cache
@@ -229,33 +229,33 @@ fi
 
 if windows; then
     for name in 'a window without a display' 'glfw without a display'; do
-        skip "$name" 'Windows always has one'
+        skip "$name is reported" 'Windows always has a display'
     done
 else
     refuse 'a window without a display' 3 'display' "$chapter"
     refuse 'glfw without a display' 1 'glfw' "$chapter" "${to[@]}" -b glfw
 fi
-refuse 'a window with egl' 3 'egl' "$chapter" -b egl
-refuse 'a window with osmesa' 3 'osmesa' "$chapter" -b osmesa
+refuse 'a window requested with egl' 3 'egl' "$chapter" -b egl
+refuse 'a window requested with osmesa' 3 'osmesa' "$chapter" -b osmesa
 mkdir "$scratch/none"
 no_egl=(env "__EGL_VENDOR_LIBRARY_DIRS=$scratch/none")
 too_old=(env MESA_GL_VERSION_OVERRIDE=3.2)
 if "$chapter" --version -b egl >/dev/null 2>&1; then
     refuse 'an EGL that cannot start' 1 'egl' "${no_egl[@]}" "$chapter" "${to[@]}" -b egl
-    refuse 'an EGL that cannot start, --version' 1 'egl' "${no_egl[@]}" "$chapter" --version -b egl
+    refuse 'an EGL that cannot start, with --version,' 1 'egl' "${no_egl[@]}" "$chapter" --version -b egl
     refuse 'egl: a driver that refuses OpenGL 3.3' 1 'egl' "${too_old[@]}" "$chapter" "${to[@]}" -b egl
 else
-    skip 'an EGL that cannot start' 'no EGL on this machine'
+    skip 'an EGL that cannot start is reported' 'this machine has no EGL'
 fi
 if "$chapter" --version -b osmesa >/dev/null 2>&1; then
     refuse 'osmesa: a driver that refuses OpenGL 3.3' 1 'osmesa' "${too_old[@]}" "$chapter" "${to[@]}" -b osmesa
     "$chapter" "${small[@]}" -o "$scratch/first.png"
-    succeed 'an EGL that cannot start: the next backend takes over' \
+    succeed 'the next backend takes over from an EGL that cannot start' \
         "${no_egl[@]}" "$chapter" "${to[@]}"
-    check 'the next backend renders the same picture' cmp -s "$scratch/first.png" "$out/new.png"
+    check 'the backend after EGL renders the same picture' cmp -s "$scratch/first.png" "$out/new.png"
     fill
 else
-    skip 'osmesa: a driver that refuses OpenGL 3.3' 'no OSMesa on this machine'
+    skip 'osmesa: a driver that refuses OpenGL 3.3 is reported' 'this machine has no OSMesa'
 fi
 says=refuse
 windows && says=refuse_at_length # Wine's OpenGL library prints a message first
@@ -263,7 +263,7 @@ $says 'an unknown driver' 1 'driver' env GALLIUM_DRIVER=nonsense "$chapter" "${t
 tried='egl.*osmesa.*glfw'
 grep -q -e '-DHAVE_OSMESA' "$BUILD/flags" || tried='egl.*glfw' # a backend that make did not find is not tried
 windows && tried='glfw'
-refuse 'no backend works' 1 "$tried" "${too_old[@]}" "$chapter" "${to[@]}"
+refuse 'the failure of every backend' 1 "$tried" "${too_old[@]}" "$chapter" "${to[@]}"
 if windows || open_display; then
     refuse 'glfw: a driver that refuses OpenGL 3.3' 1 '3\.3.*glfw' "${too_old[@]}" "$chapter" "${to[@]}" -b glfw
     refuse 'a window: a driver that refuses OpenGL 3.3' 3 '3\.3' "${too_old[@]}" "$chapter"
@@ -272,7 +272,7 @@ if windows || open_display; then
     close_display
     unset DISPLAY
 else
-    skip 'glfw: a driver that refuses OpenGL 3.3' 'no Xvfb on this machine, or it did not start'
+    skip 'glfw: a driver that refuses OpenGL 3.3 is reported' 'Xvfb is missing, or did not start'
 fi
 
 # ---- Memory ----
@@ -298,15 +298,15 @@ if [ -e /dev/full ]; then
     to_full() { "$chapter" "$@" >/dev/full; }
     for action in --list --help --print-shader --version '--probe 3,3'; do
         # shellcheck disable=SC2086 # an action may be two words
-        refuse "$action to a full disk" 1 'standard output' to_full "${small[@]}" $action
+        refuse "a full disk for the output of $action" 1 'standard output' to_full "${small[@]}" $action
     done
 else
-    skip '--list to a full disk' 'no /dev/full on this machine'
+    skip 'a full disk for the output of --list is reported' 'this machine has no /dev/full'
 fi
 to_closed() { "$chapter" "$@" >&-; }
 closed='standard output: is closed'
 windows && closed='standard output: cannot be written' # Windows does not distinguish a closed output from a full disk
-refuse '--list with standard output closed' 1 "$closed" to_closed --list
+refuse 'a closed standard output of --list' 1 "$closed" to_closed --list
 # If the reader of a pipe has exited, as `head` does, the program prints no message, and its status is 1. SIGPIPE, which
 # would end the program, is ignored here, because Windows does not have this signal.
 mkfifo "$scratch/left"
@@ -345,10 +345,10 @@ interrupted() { # FILE ARGUMENT...: interrupts the program once it has written F
 }
 wanted=130
 # On Ctrl+C, Wine ends any program with status 0, and Windows with 0xC000013A. A program that did not end would leave a
-# file.
+# second file.
 windows && wanted=0
-# Of two pictures, the program renders the second when the first is written. The second one's 60,000 iterations of 32
-# sines for each of 64 million samples take hours. llvmpipe ends any loop after 65,535 iterations.
+# When the first of two pictures has been written, the program renders the second. Its 60,000 iterations of 32 sines for
+# each of 64 million samples take hours. There are not more, because llvmpipe ends any loop after 65,535 iterations.
 cat >"$shaders/slow.frag" <<'SLOW'
 #define TWICE(x) x x
 void mainImage(out vec4 c, vec2 p)
@@ -369,7 +369,7 @@ else
 fi
 fill
 
-# The signal comes while the file is being written, as soon as the folder contains a second name. A picture of noise
+# The signal is sent while the file is being written, as soon as the folder contains a second name. A picture of noise
 # takes a long time to write.
 cat >"$shaders/noise.frag" <<'NOISE'
 #version 330 core
@@ -413,14 +413,14 @@ done
 case $hit in
 1) ok 'SIGINT during writing leaves the old file or the new one' ;;
 0) not_ok 'SIGINT during writing leaves the old file or the new one' "$(ls -A "$out")" ;;
-*) skip 'SIGINT during writing' 'the file was always complete before the signal came' ;;
+*) skip 'SIGINT during writing leaves the old file or the new one' 'the file was always complete before the signal came' ;;
 esac
 fill
 
 # ---- What must work ----
 
 cp "$good" "$shaders/a name with blanks é.frag"
-succeed 'a name with spaces' "$chapter" "${to[@]}" -f "$shaders/a name with blanks é.frag"
+succeed 'a shader whose name contains spaces is rendered' "$chapter" "${to[@]}" -f "$shaders/a name with blanks é.frag"
 fill
 
 # prints NAME PATTERN ARGUMENT...: the program must exit with status 0, print text that matches the pattern on standard

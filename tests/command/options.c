@@ -144,7 +144,7 @@ TEST(frames_have_a_rate)
     ACCEPTED("--frames 1 -o %d.png", o.fps == 25.0);
     ACCEPTED("--frames 100-199 -o %d.png", o.first_frame == 100 && o.frames == 200);
     ACCEPTED("--frames 7-7 --frames 3 -o %d.png", o.first_frame == 0 && o.frames == 3);
-    ACCEPTED("-o %d.png", o.frames == 0); // without --frames, an ordinary name
+    ACCEPTED("-o %d.png", o.frames == 0); // without --frames, %d is an ordinary part of a name
     ACCEPTED("--frames 2 --probe 1,1 -v slice -o %d.png", o.frames == 2);
 }
 
@@ -164,8 +164,8 @@ TEST(a_ray_has_steps)
              o.probe_count == 2 && o.probe[0][0] == 3 && o.probe[1][0] == 15 && o.probe[1][1] == 8);
 }
 
-// --set before --compare applies to both pictures; after it, only to the second. The file of
-// --compare is the next word, unless that word begins with '-'.
+// A --set before --compare applies to both pictures; a later one applies only to the second. The
+// file of --compare is the next word, unless that word begins with '-'.
 TEST(a_comparison_has_a_file_or_values)
 {
     ACCEPTED("-p a=1 --compare my.frag -p b=2 -p c=3 -o a.png",
@@ -217,7 +217,7 @@ static void assert_refused(const char *line, const char *why)
     assert_null(options.settings);
 }
 
-// Each of the words is refused after the given beginning of a command line.
+// A command line that consists of the given beginning and any one of the words is refused.
 TEST(values_out_of_range_are_refused)
 {
     static const struct {
@@ -261,12 +261,12 @@ static const char *const mistakes[][2] = {
     {"--overlay=", "the scale must be a number between 0.5 and 8"},
     {"--overlay 2", "unexpected argument '2'"},
     {"-t 1e10", "1e9"},
-    // A decimal comma.
+    // Numbers with a decimal comma.
     {"-t 0,5", "must be a number of seconds, as in 1.5: write 0.5"},
     {"--frames 2 -o %d.png --fps 12,5", ": write 12.5"},
     {"--overlay=1,5", ": write 1.5"},
     {"--compare a.frag --divider 0,3", "write 0.3"},
-    // Outside the picture.
+    // Pixels outside the picture.
     {"--probe 640,0",
      "outside the picture of 640x360: X must be between 0 and 639, Y between 0 and 359"},
     {"--probe 10,10 -s 10x20", "outside the picture of 10x20"},
@@ -274,8 +274,8 @@ static const char *const mistakes[][2] = {
     {"-v slice -s 16x9 -o a.png --probe 16,0", "outside the picture"},
     {"-s 16x9 --probe 16,0 --probe 1,1", "--probe '16,0': outside the picture"},
     {"-s 16x9 --probe 1,1 --probe 1,9", "--probe '1,9': outside the picture"},
-    // Names.
-    {"-v colours", "there are picture, normals, depth, steps, slice"},
+    // Unknown or empty names.
+    {"-v colours", "the views are picture, normals, depth, steps, slice"},
     {"-b vulkan", "use glfw, egl or osmesa"},
     {"-f ''", "--shader"},
     {"--root ''", "--root"},
@@ -312,7 +312,7 @@ static const char *const mistakes[][2] = {
     {"--print-shader=shadertoy -v steps", "only the picture view runs there"},
     {"--compare a.frag --benchmark 3", "cannot be combined with --benchmark"},
     {"--compare a.frag --print-shader", "cannot be combined with --print-shader"},
-    // A comparison.
+    // Comparisons that are incomplete or malformed.
     {"--compare", "--set NAME=VALUE after it"},
     {"-p a=1 --compare", "--set NAME=VALUE after it"},
     {"--compare ''", "must name a file"},
@@ -333,7 +333,7 @@ static const char *const mistakes[][2] = {
     {"--lis", "unknown option '--lis'"},
     {"--lis=3", "unknown option '--lis'"},
     {"--=3", "unknown option '--'"},
-    // A missing value, or one too many.
+    // A value that is missing, or that is not expected.
     {"-o", "--output: a value is missing"},
     {"--size", "--size: a value is missing"},
     {"--probe", "--probe: a value is missing"},

@@ -1,9 +1,9 @@
 #!/bin/bash
-# others.sh - tests shaders that were written for other programs, the report's engine and Shadertoy: their inputs,
-# textures and films, and texts that no parser expects. It also tests make play, make bake, make run and printed
-# shaders. tests/command/dialects.sh draws a shader of each dialect.
+# others.sh - tests shaders that were written for other programs, the report's engine and Shadertoy: their inputs, their
+# textures, films of them, and malformed text. It also tests make play, make bake, make run and printed shaders.
+# tests/command/dialects.sh draws a shader of each dialect.
 #
-# A shader that checks its inputs is white if they have the right values, and black otherwise.
+# A shader that checks its inputs is white if the inputs have the right values, and black otherwise.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -21,7 +21,7 @@ draw() {
 }
 same() { cmp -s "$scratch/$1.png" "$scratch/$2.png"; }
 
-# is_white NAME TITLE [OPTION...] <TEXT: the picture is white, and there is no message.
+# is_white NAME TITLE [OPTION...] <TEXT: the picture must be white, and there must be no message.
 is_white() {
     local name=$1 title=$2
     shift 2
@@ -29,7 +29,8 @@ is_white() {
     if draw "$name" "$@" && [ -z "$said" ] && same "$name" white; then ok "$title"; else not_ok "$title" "$(tr '\n' ' ' <<<"$said")"; fi
 }
 
-# refused NAME PATTERN TITLE <TEXT: the run fails with status 1 and a message that matches, and leaves no picture.
+# refused NAME PATTERN TITLE <TEXT: the run must fail with status 1 and a message that matches the pattern, and leave no
+# picture.
 refused() {
     cat >"$scratch/$1.frag"
     draw "$1"
@@ -40,11 +41,11 @@ refused() {
 head='void mainImage(out vec4 c, vec2 p)'
 printf '%s { c = vec4(1.0); }\n' "$head" >"$scratch/white.frag"
 printf '%s { c = vec4(0.0); }\n' "$head" >"$scratch/black.frag"
-check 'a white and a black picture to compare with' eval 'draw white && draw black && ! same white black'
+check 'a white and a black picture are drawn, and differ' eval 'draw white && draw black && ! same white black'
 
 # ---- Inputs ----
 
-is_white report "the inputs of the report's engine" -c 1,2,3,90,0 -t 1.5 <<'GLSL'
+is_white report "the inputs of the report's engine have the right values" -c 1,2,3,90,0 -t 1.5 <<'GLSL'
 #version 330 core
 in float Time, fovValue, FacteurLargeur, OrthoView, CustomToggle, CustomInt; in vec2 FragCoord;
 in vec3 CamPos, Ex, Ey, Ez; // right, up, forward
@@ -56,14 +57,14 @@ void main() {
         CustomToggle == 0.0 && CustomInt == 0.0 && near(vec3(FragCoord, 0), vec3((2.0 * gl_FragCoord.xy - vec2(48, 27)) / 27.0, 0)));
 }
 GLSL
-is_white inputs "Shadertoy's inputs when rendering to a file: no mouse and no clock" -t 1.5 <<GLSL
+is_white inputs "Shadertoy's inputs have the right values in a file, without a mouse or a clock" -t 1.5 <<GLSL
 $head {
     c = vec4(iResolution == vec3(48, 27, 1) && iTime == 1.5 && iTimeDelta == 0.0 && iFrame == 0 && iFrameRate == 60.0 &&
         iMouse == vec4(0) && iDate == vec4(1970, 0, 1, 1.5) &&
         fract(p) == vec2(0.5) && p == gl_FragCoord.xy && all(lessThan(p, iResolution.xy)));
 }
 GLSL
-as_written() { # TEXT: a variant of the scene that looks like the original
+as_written() { # TEXT: true if a variant of the scene looks like the original
     printf '%s' "$1" >"$scratch/changed.frag"
     draw changed && [ -z "$said" ] && same changed scene
 }
@@ -74,10 +75,10 @@ scene="$head
 }
 "
 printf '%s' "$scene" >"$scratch/scene.frag" && draw scene
-check "Windows' line endings" as_written "${scene//$'\n'/$'\r\n'}"
-check 'a byte-order mark' as_written $'\357\273\277'"$scene"
-check 'tabs' as_written "${scene//    /$'\t'}"
-check 'comments in Latin-1 and UTF-8' as_written $'// caf\xe9, \xc3\xa9t\xc3\xa9, \xe2\x88\x9e : c\'est une "scene"\n'"$scene"
+check "Windows' line endings change nothing" as_written "${scene//$'\n'/$'\r\n'}"
+check 'a byte-order mark changes nothing' as_written $'\357\273\277'"$scene"
+check 'tabs change nothing' as_written "${scene//    /$'\t'}"
+check 'comments in Latin-1 and UTF-8 change nothing' as_written $'// caf\xe9, \xc3\xa9t\xc3\xa9, \xe2\x88\x9e : c\'est une "scene"\n'"$scene"
 
 # A discarded pixel is black, whatever the previous picture was. All pixels of the second of two frames are discarded.
 discards() {
@@ -98,7 +99,7 @@ piped() {
 
 # ---- Textures from --channel ----
 
-# A texture is upright and repeated, and its values are not converted from sRGB. The upper row of this one is white.
+# A texture is upright and repeated, and its values are not converted from sRGB. The upper row of this texture is white.
 echo "$head { c = vec4(step(1.0, p.y)); }" >"$scratch/rows.frag"
 "$program" -f "$scratch/rows.frag" -s 2x2 -o "$scratch/rows.png"
 reads='texture(iChannel0, vec2(0.2, 0.75)).rgb == vec3(1) && texture(iChannel0, vec2(0.7, 0.25)).rgb == vec3(0) &&
@@ -107,56 +108,56 @@ reads='texture(iChannel0, vec2(0.2, 0.75)).rgb == vec3(1) && texture(iChannel0, 
     iChannelResolution[0] == vec3(2, 2, 1) && iChannelResolution[3] == vec3(64, 4096, 1) && iChannelResolution[1] == vec3(0) &&
     texture(iChannel3, vec2(0.0)).r < 2.0'
 channels=(--channel "0=$scratch/rows.png" --channel "3=shaders/textures/noise.png")
-is_white channel "the channels of Shadertoy's dialect" "${channels[@]}" <<<"$head { c = vec4($reads); }"
-is_white channel_whole 'the channels of a whole file' "${channels[@]}" <<GLSL
+is_white channel "the channels of Shadertoy's dialect have the right values" "${channels[@]}" <<<"$head { c = vec4($reads); }"
+is_white channel_whole 'the channels of a whole file have the right values' "${channels[@]}" <<GLSL
 #version 330 core
 uniform sampler2D iChannel0, iChannel3; uniform vec3 iChannelResolution[4];
 out vec4 c;
 void main() { c = vec4($reads); }
 GLSL
 
-# ---- Texts that no parser expects ----
+# ---- Huge and malformed text ----
 
 # The time to read a text must be proportional to its length. If it is not, the suite hangs, and tests/run ends it.
-crowd() { # FORMAT: a shader is white after 30,000 lines of this format, with their numbers for %d
+crowd() { # FORMAT: true if a shader after 30,000 lines of this format is white; %d is the line's number
     local i
     { for i in {1..30000}; do printf '%s\n' "${1//%d/$i}"; done; cat "$scratch/white.frag"; } >"$scratch/crowd.frag"
     draw crowd && same crowd white
 }
-check 'thirty thousand uniforms' crowd 'uniform float u%d;'
-check 'thirty thousand #ifdef lines' crowd $'#ifdef A%d\nfloat a%d;\n#endif'
+check 'a shader with thirty thousand uniforms is drawn' crowd 'uniform float u%d;'
+check 'a shader with thirty thousand #ifdef lines is drawn' crowd $'#ifdef A%d\nfloat a%d;\n#endif'
 
 malformed() { # DIALECT BEGINNING
     local name=malformed_$1
-    refused "$name" 'never closed: write \*/ at its end$' "$1: a comment that is not closed" < <(printf '%s\n/*' "$2"; cat "$scratch/white.frag")
-    refused "$name" 'larger than 1 MiB: is it a shader\?$' "$1: 10 MB" < <(printf '%s\n' "$2"; head -c 10000000 /dev/zero | tr '\0' ' ')
-    refused "$name" 'an array of 2000000000 elements: ' "$1: a huge array" < <(printf '%s\nfloat big[ 2000000000 ];\n' "$2")
-    refused "$name" '\.\.\.$' "$1: 100000 parentheses, of which only the beginning is reported" < <(printf '%s\nfloat deep = %s1.0%s;\n' "$2" "$deep" "$close")
-    refused "$name" 'and [0-9]* more$' "$1: 99 errors, of which only the first are reported" < <(printf '%s\n' "$2"; for i in {1..99}; do echo "float e$i = none$i;"; done)
-    refused "$name" 'does not|never|error' "$1: binary data" < <(printf '%s\n' "$2"; head -c 3000 "$program" | tr -d '\0')
+    refused "$name" 'never closed: write \*/ at its end$' "$1: a comment that is not closed is refused" < <(printf '%s\n/*' "$2"; cat "$scratch/white.frag")
+    refused "$name" 'larger than 1 MiB: is it a shader\?$' "$1: a file of 10 MB is refused" < <(printf '%s\n' "$2"; head -c 10000000 /dev/zero | tr '\0' ' ')
+    refused "$name" 'an array of 2000000000 elements: ' "$1: a huge array is refused" < <(printf '%s\nfloat big[ 2000000000 ];\n' "$2")
+    refused "$name" '\.\.\.$' "$1: of 100000 parentheses, only the beginning is reported" < <(printf '%s\nfloat deep = %s1.0%s;\n' "$2" "$deep" "$close")
+    refused "$name" 'and [0-9]* more$' "$1: of 99 errors, only the first are reported" < <(printf '%s\n' "$2"; for i in {1..99}; do echo "float e$i = none$i;"; done)
+    refused "$name" 'does not|never|error' "$1: binary data is refused" < <(printf '%s\n' "$2"; head -c 3000 "$program" | tr -d '\0')
 }
 deep=$(printf '%100000s' '' | tr ' ' '(') close=$(tr '(' ')' <<<"$deep")
 malformed course '#include "main.glsl"'
 malformed whole '#version 330 core'
 malformed toy "$head {}"
-# A sum of this many terms uses up the stack of some drivers' compilers; other drivers render it.
+# A sum of 40,000 terms uses up the stack of some drivers' compilers; other drivers render it.
 endures() {
     printf '%s { c = vec4(p.x%s); }\n' "$head" "$(printf '%40000s' '' | sed 's/ /+p.x/g')" >"$scratch/sum.frag"
     (ulimit -s 4096; draw sum; [ $? = 1 ] && [[ $said =~ sum.frag:\ the\ graphics\ driver\ crashed\ on\ it ]] && [ "$(grep -c '' <<<"$said")" = 1 ]) || draw sum
 }
-check 'a sum of 40000 terms' endures
+check 'a sum of 40000 terms is drawn, or the crash of the driver is reported' endures
 
-# A shader hides the size of its array, and the driver then requests all the memory at once. It reaches the limit for a
-# driver or, if that is smaller, the limit for the process. A sanitizer prints its own message when it ends a program
-# that gets no memory.
+# A shader hides the size of its array, and the driver then requests all the memory at once. The request exceeds the
+# limit for a driver or, if that is smaller, the limit for the process. A sanitizer prints its own message when it ends
+# a program that gets no memory.
 bomb() { draw bomb; [ $? = 1 ] && [[ $said =~ bomb.frag:\ the\ graphics\ driver\ crashed\ on\ it,\ or\ needs\ more ]] && [ "$(grep -c '' <<<"$said")" = 1 ]; }
 if [ "$BUILD" = build ]; then
     printf '%s\n' 'const int N = 300000000;' 'float a[N * 4];' "$head { c = vec4(a[int(p.x)]); }" >"$scratch/bomb.frag"
-    check 'constants that hide a huge array' bomb
+    check 'constants that hide a huge array are reported' bomb
     limited() { (ulimit -v 1000000; bomb); }
-    check 'constants that hide a huge array, within the memory limit of the process' limited
+    check 'constants that hide a huge array are reported under the memory limit of the process' limited
 fi
-refused bomb 'bomb.frag:42: A40: expands to more than 4 million' 'macros that double 40 times' \
+refused bomb 'bomb.frag:42: A40: expands to more than 4 million' 'macros that double 40 times are refused' \
     < <(echo '#define A0 p.x'; for i in {1..40}; do echo "#define A$i A$((i - 1)) + A$((i - 1))"; done; echo "$head { c = vec4(A40); }")
 
 # ---- make play ----
@@ -175,7 +176,7 @@ check 'make play FILE opens a file' opens
 missing() { ! play nowhere.frag && grep -q 'nowhere.frag: no such file' "$scratch/err" && [ ! -e "$scratch/project/nowhere.frag" ]; }
 check 'make play FILE says that a file is missing' missing
 
-# ---- make bake; the program that bakes is not built for Windows ----
+# ---- make bake, whose program is not built for Windows ----
 
 if [ "$BUILD" = build ]; then
     printf '%s\n' 'v -1 0 -1' 'v 1 0 -1' 'v 1 0 1' 'v -1 0 1' 'v 0 1.5 0' 'f 1 2 3 4' 'f 2 1 5' 'f 3 2 5' 'f 4 3 5' 'f 1 4 5' >"$scratch/pyramid.obj"
@@ -211,7 +212,7 @@ check 'make run refuses an unknown parameter' refuses
 
 # ---- The course's own shaders, printed ----
 
-# The output of --print-shader renders like the chapter, with the same parameters and views.
+# The output of --print-shader renders the same picture as the chapter, with the same parameters and views.
 printed() { # OPTION...
     "$program" --print-shader >"$scratch/printed.frag" &&
         "$program" "${size[@]}" -o "$scratch/chapter.png" "$@" && draw printed "$@" && [ -z "$said" ] &&

@@ -29,9 +29,9 @@ each() {
         "$program" "${small[@]}" -t "$time" -o "$scratch/one.png" && cmp -s "$scratch/one.png" "$out/f-00$number.png" || return 1
     done
 }
-check 'each picture is, bit for bit, the single picture at its time' each
+check 'each picture of a film is, bit for bit, the single picture at its time' each
 differ() { ! cmp -s "$out/f-000.png" "$out/f-002.png"; }
-check 'the first and the last picture differ' differ
+check 'the first and the last picture of a film differ' differ
 
 cat >"$scratch/inputs.frag" <<'GLSL'
 void mainImage(out vec4 c, vec2 p)
@@ -53,7 +53,7 @@ inputs() {
 check 'iFrame, iTimeDelta, iTime and iDate change from picture to picture' inputs
 
 clear_out
-parts() { # three programs at once, as on three machines
+parts() { # run three programs at once, as on three machines
     local part pids=()
     mkdir "$out/parts"
     "$program" "${small[@]}" -t 1 --frames 7 --fps 10 -o "$out/%02d.png" || return 1
@@ -64,7 +64,7 @@ parts() { # three programs at once, as on three machines
     [ "$(cd "$out/parts" && echo *)" = '00.png 01.png 02.png 03.png 04.png 05.png 06.png' ] || return 1
     for part in "$out"/parts/*; do cmp -s "$part" "$out/${part##*/}" || return 1; done
 }
-check 'three parts of a film are, bit for bit, the whole film' parts
+check 'three parts of a film make up, bit for bit, the whole film' parts
 
 clear_out
 default_fps() {
@@ -77,7 +77,7 @@ settings() {
         "$BUILD/01_normal_colouring" "${small[@]}" -a 2 -v steps -p maxSteps=20 -o "$scratch/one.png" &&
         cmp -s "$scratch/one.png" "$out/s0.png"
 }
-check 'samples, view and parameters apply as in a single picture' settings
+check 'samples, view and parameters apply to a film as to a single picture' settings
 slices() { "$BUILD/01_normal_colouring" "${small[@]}" -v slice --probe 30,18 --frames 2 -o "$out/v%d.png"; }
 check 'a film can show the slice of a selected ray' slices
 walks() { # the march is shown from its first step to its last, while the time does not change
@@ -119,9 +119,9 @@ refused() { # NAME STATUS PATTERN OPTION...
     fi
 }
 # tests/unit/numbers.c tests the names; tests/command/options.c tests the numbers and the valid combinations.
-refused 'a name without a number' 2 'must contain one %d' --frames 2 -o "$out/frame.png"
-refused 'a time that is too large' 2 'the last time' --frames 100000 --fps 0.001 -t 1e9 -o "$out/%d.png"
-refused 'a missing folder' 1 'nowhere' --frames 2 -o "$out/nowhere/%d.png"
+refused 'a name without %d is refused' 2 'must contain one %d' --frames 2 -o "$out/frame.png"
+refused 'a time that becomes too large is refused' 2 'the last time' --frames 100000 --fps 0.001 -t 1e9 -o "$out/%d.png"
+refused 'a missing folder is reported' 1 'nowhere' --frames 2 -o "$out/nowhere/%d.png"
 taken() {
     clear_out
     mkdir "$out/1.png"
@@ -173,7 +173,7 @@ if command -v script >/dev/null && script -qec true /dev/null >/dev/null 2>&1; t
     }
     check 'a terminal shows how many pictures are done' progress
 else
-    skip 'a terminal shows how many pictures are done' 'no command script on this machine'
+    skip 'a terminal shows how many pictures are done' 'the command script is missing, or does not work'
 fi
 
 # ---- make film ----
@@ -196,7 +196,7 @@ mkdir "$scratch/few" && for tool in sh basename tr sed; do ln -s "$(command -v $
 none() { ! film "$scratch/few" && grep -q 'ffmpeg is not installed: install it.*--frames 3' "$scratch/err" && [ "$(grep -c '' "$scratch/err")" = 1 ]; }
 check 'make film says what to do without ffmpeg' none
 # A substitute for ffmpeg that only writes its arguments to the output file, if the pictures exist.
-# shellcheck disable=SC2016 # the variables are the substitute's
+# shellcheck disable=SC2016 # the substitute expands the variables
 printf '#!/bin/sh\nfor last; do :; done\nls build/film/00_first_scene/frame-0002.png >/dev/null || exit 1\necho "$@" >"$last"\n' >"$scratch/bin/ffmpeg"
 chmod +x "$scratch/bin/ffmpeg"
 asks() {
@@ -208,7 +208,7 @@ check 'make film passes the pictures to ffmpeg twice' asks
 slower() { film "$scratch/bin:$PATH" 100 && grep -q 'fps=50,' "$scratch/project/build/film/00_first_scene.gif"; }
 check 'a GIF has at most 50 pictures per second' slower
 # A substitute for ffmpeg that fails halfway.
-# shellcheck disable=SC2016 # the variables are the substitute's
+# shellcheck disable=SC2016 # the substitute expands the variables
 printf '#!/bin/sh\nfor last; do :; done\necho half >"$last"\nexit 255\n' >"$scratch/bin/ffmpeg"
 keeps() {
     ! film "$scratch/bin:$PATH" && grep -q 'fps=50,' "$scratch/project/build/film/00_first_scene.gif" &&

@@ -139,7 +139,7 @@ asks_wrong() { # EXERCISE WORDS
     [ $? = 2 ] && [ "$(wc -l <"$scratch/answer.03_2")" = 1 ] && says "$2"
 }
 check "a command without an exercise is refused" asks_wrong '' 'which exercise'
-check "an exercise of a missing chapter is refused" asks_wrong 99_1 'there are 00_1 '
-check "an exercise without a solution is refused" asks_wrong 03_99 "there are 00_1 .* 03_4 04_1 .* $(tail -n 1 "$scratch/exercises") engine_1 .*engine_4$"
+check "an exercise of a missing chapter is refused" asks_wrong 99_1 'have one: 00_1 '
+check "an exercise without a solution is refused" asks_wrong 03_99 "have one: 00_1 .* 03_4 04_1 .* $(tail -n 1 "$scratch/exercises") engine_1 .*engine_4$"
 check "a name that no exercise can have is refused" asks_wrong shadows 'such as 03_2'
 plan
