@@ -1,11 +1,12 @@
 // compare [--words | --part WxH+X+Y] A.png B.png [DIFFERENCE.png] - compares two pictures. With
-// --part, compares only that part of both pictures, where X and Y are the position of its top left.
-// compare --pack A.png B.png - stores A as B, in as few bytes as libpng can write. If B already has
-// these pixels, the file is left as it is.
+// --part, compares only that part of both pictures, whose top left corner is X pixels from the left
+// and Y from the top. compare --pack A.png B.png - stores A as B with libpng's highest compression.
+// If B already has these pixels, the file is left as it is.
 //
-// Prints the two numbers that decide, F2 and B8, the largest difference, the number of pixels that
-// differ at all, and the position that differs most, in pixels as --probe counts them. With
-// --words, prints a sentence for a student instead. Exit status: 0 if the pictures are the same
+// Prints the two numbers that decide, F2 and B8 (lib/compare.h), the largest difference, the number
+// of pixels that differ at all, and the position in the compared part that differs most, in pixels
+// as --probe counts them. With --words, prints a sentence for a student instead. DIFFERENCE
+// receives a picture of the differences. Exit status: 0 if the pictures are the same
 // within the tolerance (--pack: A was stored), 1 if they are not (--pack: B was left as it is), 2
 // if the pictures could not be compared or stored.
 #include <stdio.h>
@@ -62,8 +63,8 @@ static int compare(const struct image *a, const struct image *b, bool words, con
     return image_same(&difference) ? SAME : DIFFERENT;
 }
 
-// Write a picture with the best compression and, for each row, the best filter. This takes 26 %
-// fewer bytes than image_write_png, but many times as long.
+// Write a picture with libpng's highest compression, and let libpng select the filter of each row.
+// The file has 26 % fewer bytes than one from image_write_png, but takes many times as long.
 static bool encode(const struct image *image, FILE *stream)
 {
     png_struct *png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);

@@ -3,9 +3,9 @@
 //
 // Each line of standard input is NAME [ROOT]: a picture, and the folder of the project whose
 // shaders draw it, "." by default. As soon as the result is known, one line is printed: 'same' or
-// 'other', NAME and the numbers that compare prints; or, if there is no picture, 'none' and NAME,
-// with the reason on standard error. With FOLDER, each picture is written there as
-// NAME.BACKEND.png.
+// 'other', NAME and the numbers that compare prints; or, if the picture cannot be drawn, written or
+// compared, 'none' and NAME, with the reason on standard error. With FOLDER, each picture is
+// written there as NAME.BACKEND.png.
 //
 // The options of a picture mean the same here as in the programs.
 #include <stdio.h>
@@ -21,8 +21,8 @@
 
 enum { WORDS = 64, LINE = 4096 };
 
-// The line of a picture in tests/pictures/images.txt, with its stem and its options split into
-// words.
+// A line of tests/pictures/images.txt: the stem of its program, and a command line with its
+// options.
 struct listed {
     char line[LINE], stem[LINE];
     char *word[WORDS]; // a command line that ends with NULL
@@ -104,7 +104,9 @@ static bool draw_in(const struct context *context, const char *name, const char 
     bool alone = run.options.frames == 0;
     bool moved = alone && getcwd(here, sizeof here) != NULL && chdir(root) == 0;
     bool done =
-        moved ? draw(context, &run, image) : report("%s: cannot be drawn in %s", name, root);
+        moved ? draw(context, &run, image)
+              : report("%s: cannot be drawn in %s: it is a sequence, or there is no such folder",
+                       name, root);
     run_close(&run);
     return (!moved || chdir(here) == 0) && done;
 }

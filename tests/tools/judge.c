@@ -1,16 +1,18 @@
-// judge - makes the functions of judge.h available to a shell.
+// judge - makes the functions of judge.h available to a shell. MINE is a reader's answer, RIGHT the
+// solution; WITH and PIXELS are described in judge.h.
 //
 //   judge picture WITH RIGHT.png MINE.png DIFFERENCE.png
 //       Prints the position and the share of the difference and, if MINE is wrong, what is wrong
 //       with it, each on a line; if MINE is wrong, also writes DIFFERENCE.
-//   judge rays WITH PLACES RIGHT MINE
+//   judge rays WITH PIXELS RIGHT MINE
 //       Prints what is wrong with the rays of MINE. Both files are outputs of --probe.
 //   judge ray PROBE
 //       Prints a march in words, from an output of --probe.
 //   judge pixel X,Y PICTURE.png
 //       Prints the colour of a pixel; 0,0 is at the bottom left.
 //   judge right SHARE...
-//       Prints the sentence for a right answer, from the shares of its pictures.
+//       Prints the sentence for a right answer. Each SHARE is the judge_share of one of its
+//       pictures.
 //
 // Exit status: 0 if the answer is right, 1 if it is wrong, 2 if it could not be judged.
 #include <math.h>
@@ -127,7 +129,7 @@ int main(int argc, char **argv)
         return RIGHT;
     }
     fprintf(stderr,
-            "usage: judge picture WITH RIGHT.png MINE.png DIFFERENCE.png | rays WITH PLACES "
+            "usage: judge picture WITH RIGHT.png MINE.png DIFFERENCE.png | rays WITH PIXELS "
             "RIGHT MINE | ray PROBE | pixel X,Y PICTURE.png | right SHARE...\n");
     return NOT_JUDGED;
 }

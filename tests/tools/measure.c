@@ -37,12 +37,13 @@ static int print_plane(void)
 {
     static const double angles[] = {90.0, 60.0, 45.0, 30.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5};
     static const int limits[] = {60, 64, 128, 256};
-    printf("# moves to a plane from height 1, threshold 0.001; there is one more evaluation\n");
+    printf(
+        "# moves to a plane from height 1, threshold 0.001; a march makes one evaluation more\n");
     printf("degrees,moves,formula\n");
     for (size_t i = 0; i < sizeof angles / sizeof angles[0]; i++)
         printf("%g,%d,%d\n", angles[i], measure_plane_moves(angles[i], 0.001),
                measure_plane_formula(angles[i], 0.001));
-    printf("# the angle, in degrees, below which these evaluations do not reach the plane\n");
+    printf("# the angle, in degrees, below which this many evaluations do not reach the plane\n");
     printf("evaluations,threshold_0.01,threshold_0.001,threshold_0.0005\n");
     for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++)
         printf("%d,%.2f,%.2f,%.2f\n", limits[i], measure_plane_limit(limits[i], 0.01),
@@ -74,8 +75,9 @@ static int print_rate(void)
 
 static int print_foot(void)
 {
-    printf("# largest angle, in degrees, between the normals of the ball below the end of a march "
-           "and where the ray meets the ball\n");
+    printf(
+        "# largest angle, in degrees, between the ball's normal below the end of a march and its "
+        "normal where the ray meets the ball\n");
     printf("radius,threshold,measured,arccos(r / (r + threshold)),sqrt(2 threshold / r)\n");
     static const double cases[][2] = {{1.0, 5e-4},  {0.52, 5e-4}, {0.27, 5e-4},
                                       {0.16, 5e-4}, {1.0, 1e-2},  {1.0, 1e-5}};
@@ -121,8 +123,8 @@ static void print_bound_row(const char *stem, const char *rays, const struct bou
            sum->lipschitz);
 }
 
-// Rays that start at height 1 above a plane: towards it (a positive angle), parallel to it (0) or
-// away from it.
+// Print the evaluations along rays that start at height 1 above a plane. A ray at a positive angle
+// approaches the plane, and a ray at a negative angle leaves it.
 static void print_bound_planes(void)
 {
     static const double angles[] = {60.0, 45.0, 30.0, 10.0, 5.0, 0.0, -5.0, -10.0, -30.0, -60.0};
@@ -141,8 +143,9 @@ static void print_bound_planes(void)
 static int print_bound(void)
 {
     print_bound_planes();
-    printf("# evaluations of a march, and the smallest possible number: from least to most\n");
-    printf("chapter,end,rays,march,least,most,march / least,of one ray,slope\n");
+    printf("# evaluations per ray: of the march, and bounds on the smallest possible number, least "
+           "and most\n");
+    printf("chapter,end,rays,march,least,most,march / least,smallest ratio of one ray,slope\n");
     for (int i = 0; i < bound_case_count; i++) {
         struct bound_sums sum[2];
         bound_measure(&bound_cases[i], 1, sum);
@@ -158,7 +161,8 @@ static void print_shadow_row(const char *scene, const char *formula,
     printf("%s,%s,%.3f,%.3f,%.3f\n", scene, formula, error->mean, error->mean_size, error->worst);
 }
 
-// The parapet of chapter 13's worked example: its upper edge is 0.4 high, and it is 0.43 away.
+// Returns whether the parapet of chapter 13's worked example hides a direction. Its upper edge is
+// 0.4 high, at a horizontal distance of 0.43.
 static bool wall_blocks(struct d3 direction, const void *unused)
 {
     (void)unused;
@@ -177,9 +181,9 @@ static void print_wall(void)
            clear, share, shadow_share(wall_blocks, NULL, sun, spread, 2000));
 }
 
-// The mean number of the disc's side x side cells that a straight edge cuts, over edges from x =
-// -0.95 to 0.95. A cell in polar coordinates is cut if the edge is between its corners, because
-// r cos(angle) is monotonic in both coordinates.
+// The mean number of a unit disc's side x side cells that a straight edge cuts, over edges from x =
+// -0.95 to 0.95. The cells are bounded in polar coordinates. An edge cuts a cell if it is between
+// the corners of the cell, because x = r cos(angle) is monotonic in r and in the angle.
 static double cells_cut(int side)
 {
     double length = 0.0;
@@ -225,9 +229,9 @@ static int print_gloss(void)
 {
     static const double roughnesses[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0};
     printf("# share of the light that perfectly reflecting facets send back: GGX, Blinn-Phong\n");
-    printf(
-        "roughness,straight,at 60 degrees,at 80 degrees,mean,exponent,straight,at 60 degrees,at 80 "
-        "degrees,mean,(n + 8) / (8 pi),no factor\n");
+    printf("roughness,at 0 degrees,at 60 degrees,at 80 degrees,mean,exponent,at 0 degrees,at 60 "
+           "degrees,at 80 "
+           "degrees,mean,(n + 8) / (8 pi),no factor\n");
     for (size_t i = 0; i < sizeof roughnesses / sizeof roughnesses[0]; i++) {
         double r = roughnesses[i], n = gloss_exponent(r), steep = cos(80.0 * MIRROR_PI / 180.0);
         printf("%g,%.3f,%.3f,%.3f,%.3f,%.3g,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f\n", r,
@@ -292,7 +296,7 @@ static int print_levels(void)
 static int print_filters(void)
 {
     printf("# a fan of fine rays, 64 x 64 pixels: root mean square difference from 256 samples of "
-           "the same filter, on a scale from 0 to 1\n");
+           "the same filter (for the workshop, of the box filter), on a scale from 0 to 1\n");
     printf("samples");
     for (int way = 0; way < FILTER_WAYS; way++)
         printf(",%s", filter_way_names[way]);
@@ -320,14 +324,15 @@ static const struct measurement {
     {"foot", "normal below the end of a march, compared with that where the ray hits", false,
      print_foot},
     {"threshold", "how much a threshold enlarges an outline", true, print_threshold},
-    {"acne", "share of lit pixels in their own shadow against the offset", true, print_acne},
+    {"acne", "share of lit pixels wrongly in their own shadow, against the offset", true,
+     print_acne},
     {"bound", "evaluations of a march against the smallest number possible", true, print_bound},
     {"shadows", "soft shadows from one march, against the visible share of the sun", true,
      print_shadows},
     {"occlusion", "the visible share of the sky from five taps, against the truth", true,
      occlusion_print},
-    {"glass", "share that glass reflects; light missing after each number of surfaces", true,
-     glass_print},
+    {"glass", "share of the light that glass reflects; light missing after a number of surfaces",
+     true, glass_print},
     {"gloss", "share of the light that a highlight sends back", false, print_gloss},
     {"filters", "error of a pixel's mean against the number and positions of its samples", false,
      print_filters},
@@ -342,7 +347,7 @@ static const struct measurement {
      limits_print},
     {"marches", "seven marches in eleven scenes: evaluations, time, lockstep, errors", true,
      marches_print},
-    {"report", "costs of three pictures of the report, compared with those of its engine", true,
+    {"report", "costs of three of the report's pictures, compared with those of its engine", true,
      report_print},
 };
 enum { MEASUREMENTS = sizeof measurements / sizeof *measurements };

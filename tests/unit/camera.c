@@ -69,7 +69,7 @@ TEST(test_basis_is_right_handed_and_upright)
     }
 }
 
-TEST(test_forward_right_and_up)
+TEST(test_pan_and_tilt_turn_the_frame)
 {
     struct camera camera = {.pan = 0.0f};
     struct camera_basis b = camera_basis_of(&camera);

@@ -24,8 +24,8 @@ static size_t size_of(const struct renderer_inputs *inputs)
     return sizeof(float[4]) * (size_t)inputs->width * (size_t)inputs->height;
 }
 
-// The picture is drawn in bands, some of which begin within a block, and then in the sharpened rows
-// of a window, with another picture drawn before each group of rows.
+// The picture is drawn in bands, some of which begin within a block, and then in groups of rows, as
+// a window sharpens a picture, with another picture drawn before each group.
 TEST(test_the_parts_of_a_picture_equal_the_whole_bit_for_bit)
 {
     for (int samples = 1; samples <= 2; samples++) {
@@ -77,8 +77,8 @@ TEST(test_a_probe_begins_where_the_picture_does)
 }
 
 // All samples are within their pixel, so the same table serves every sample. The samples agree with
-// the pixels of a picture four times as wide and high, although each of its blocks covers less of
-// the view, because no ray meets a surface before its start.
+// the pixels of a picture four times as wide and high, although each block of the larger picture
+// covers less of the view, because no ray meets a surface before the start in either table.
 TEST(test_samples_find_what_a_larger_picture_finds)
 {
     struct renderer_inputs small = wide_inputs(4), large = small;
@@ -147,7 +147,7 @@ TEST(test_a_shader_that_does_not_call_coarse_start_gets_no_pass)
                       "float sceneDistance(vec3 p) { return 1.0; }\n"
                       "vec3 rayColour(Ray ray) { return vec3(0.5); }\n"));
     free(gpu_numbers(&inputs));
-    // A whole file may have a uniform iCoarse of its own.
+    // A shader with its own main may declare its own uniform iCoarse.
     capture_begin();
     assert_true(gpu_load_text("#version 330 core\nuniform float iCoarse;\nout vec4 c;\n"
                               "void main() { c = vec4(iCoarse); }\n"));

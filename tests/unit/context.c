@@ -1,4 +1,4 @@
-// context.c - tests common/context/context.c and its backends without a window.
+// context.c - tests common/context/context.c and its backends, but opens no window.
 // tests/command/failures.sh tests what the programs do if a context cannot be opened.
 #include "lib/test.h"
 
@@ -39,7 +39,7 @@ TEST(names_of_backends_are_known)
 }
 
 // Check the properties of every context without a window: OpenGL 3.3 or later, the core profile,
-// all functions of the table, and a complete description that begins with name.
+// all functions of struct gl, and a complete description that begins with name.
 static void assert_works(const struct context *context, const char *name)
 {
     GLint major = 0, minor = 0, profile = 0;

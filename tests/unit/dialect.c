@@ -43,8 +43,8 @@ static void assert_dialect(const char *text, enum shader_dialect dialect)
     shader_free(&source);
 }
 
-// Check that a whole file with this text after its #version is refused with a single line that
-// contains these words.
+// Check that a #version line followed by this text is refused with a single line that contains
+// these words.
 static void assert_refused(const char *text, const char *words)
 {
     struct shader_source source;
@@ -61,7 +61,7 @@ static void assert_refused(const char *text, const char *words)
 
 #define IN_PROJECT(name) TEST_WITH(name, set_up, scratch_teardown)
 
-IN_PROJECT(test_dialects)
+IN_PROJECT(test_the_dialect_follows_from_the_text)
 {
     assert_dialect("#version 330 core\n" MAIN, DIALECT_WHOLE);
     assert_dialect("// why\n/* and\nhow */ # version 330 core\n#include \"leaf.glsl\"\n",
@@ -87,12 +87,12 @@ IN_PROJECT(test_dialects)
 }
 
 // Text that the preprocessor skips does not affect the dialect.
-IN_PROJECT(test_dialects_behind_conditions)
+IN_PROJECT(test_skipped_text_does_not_affect_the_dialect)
 {
     static const char toy[] = "void mainImage(out vec4 c, in vec2 p) {}\n";
     static const struct {
         const char *before, *after;
-        enum shader_dialect dialect; // of the text before, MAIN, after, toy
+        enum shader_dialect dialect; // of a text that consists of before, MAIN, after and toy
     } cases[] = {
         {"#if 0\n", "#endif\n", DIALECT_SHADERTOY},
         {"#if 1\n", "#endif\n", DIALECT_WHOLE},
@@ -123,8 +123,8 @@ IN_PROJECT(test_dialects_behind_conditions)
 }
 
 // In Shadertoy's dialect, gl_FragCoord is the pixel's position in the whole picture, whichever part
-// is drawn, and the colour is inout, because it starts as 0.
-IN_PROJECT(test_shadertoy_main_image)
+// is drawn, and mainImage's output becomes inout, because the colour is set to 0 before the call.
+IN_PROJECT(test_main_image_is_adapted_to_the_renderer)
 {
     struct shader_source source;
     const char *said;
@@ -138,7 +138,7 @@ IN_PROJECT(test_shadertoy_main_image)
 }
 
 // Versions and extensions that the driver may not know are removed from the text that it gets.
-IN_PROJECT(test_versions)
+IN_PROJECT(test_versions_and_extensions_are_removed)
 {
     static const struct {
         const char *text, *word;
@@ -160,8 +160,8 @@ IN_PROJECT(test_versions)
     }
 }
 
-// Check that the driver gets the expected text, after the prelude, for a whole file with this text
-// after its #version.
+// Check that the driver gets the expected text, after the prelude, for a #version line followed by
+// this text.
 static void assert_driver_gets(const char *text, const char *expected)
 {
     char whole[512];
@@ -197,7 +197,7 @@ IN_PROJECT(test_values_begin_at_zero)
 }
 
 // A declaration stays as it is if a macro or an #if may change its meaning, if it is a member of a
-// block, or if its zero is too long or too complicated to write.
+// block, or if an initial value of zeros would be too long or too complicated.
 IN_PROJECT(test_unclear_declarations_stay)
 {
     static const char *const texts[] = {
@@ -221,7 +221,7 @@ IN_PROJECT(test_unclear_declarations_stay)
                        "B(A[2](A(vec2(0)),A(vec2(0))),int(0),int(0))); float d=float(0);\n");
 }
 
-IN_PROJECT(test_outputs)
+IN_PROJECT(test_outputs_that_cannot_be_shown_are_refused)
 {
     static const char body[] = "void main() { A = vec4(1); B = vec4(1); }\n";
     char text[256];
@@ -239,7 +239,7 @@ IN_PROJECT(test_outputs)
     assert_refused("\nout float A; void main() { A = 1.0; }\n", "main.frag:3: out float A: a pict");
 }
 
-IN_PROJECT(test_meaningless_texts)
+IN_PROJECT(test_meaningless_texts_are_refused)
 {
     assert_refused("float a[65536]; int i = a[ 65537 ];\n",
                    "main.frag:2: an array of 65537 elements");
@@ -270,7 +270,7 @@ static const char *doubled(const char *line, int count, bool ascends, const char
 
 #define CALLS "float f0(float x) { return x; }\n"
 
-IN_PROJECT(test_texts_that_grow)
+IN_PROJECT(test_texts_that_expand_too_much_are_refused)
 {
     static const char macro[] = "#define A%1$d A%2$d + A%2$d\n",
                       call[] = "#define D%1$d(x) D%2$d(x) + D%2$d(x)\n",
@@ -311,7 +311,7 @@ IN_PROJECT(test_texts_that_grow)
     shader_free(&source);
 }
 
-IN_PROJECT(test_inputs_and_textures)
+IN_PROJECT(test_inputs_and_textures_are_checked_and_translated)
 {
 #define WRITES "out vec4 A; void main() { A = vec4(k); }\n"
     assert_driver_gets("flat in int CustomInt; out vec4 A; void main(){ A = vec4(CustomInt); }\n",
@@ -342,7 +342,7 @@ IN_PROJECT(test_inputs_and_textures)
     assert_dialect("#version 330 core\nuniform vec3[4] iChannelResolution; " WRITES, DIALECT_WHOLE);
 }
 
-IN_PROJECT(test_dialects_of_main_image)
+IN_PROJECT(test_main_image_must_have_the_right_parameters)
 {
     static const char *const good[] = {
         "void mainImage(inout highp vec4 c, const in mediump vec2 p) {}\n",
@@ -364,14 +364,14 @@ IN_PROJECT(test_dialects_of_main_image)
                                "called with: write void mainImage(out vec4 fragColor, in vec2");
 }
 
-IN_PROJECT(test_version_above_a_chapter)
+IN_PROJECT(test_a_version_above_a_chapter_is_refused)
 {
     scratch_write("root/shaders/main.glsl", "void main()\n{\n}\n");
     scratch_write("root/chapters/01_scene.frag", "#include \"main.glsl\"\n");
     assert_refused("#include \"01_scene.frag\"\n", "main.frag:1: remove #version");
 }
 
-IN_PROJECT(test_compiled_text)
+IN_PROJECT(test_the_driver_gets_the_expanded_text)
 {
     struct shader_source source = read_well("#include \"twig.glsl\"\nx\n");
     char *text = shader_text(&source, SHADER_STEPS);

@@ -83,8 +83,8 @@ TEST(a_handle_is_where_its_point_is)
     }
 }
 
-// Each handle is dragged to a distant pixel. The coordinate that is constant in a handle's plane
-// does not change.
+// Each handle in front of the camera is dragged to three distant pixels. The coordinate that is
+// constant in a handle's plane does not change.
 TEST(a_handle_follows_a_pointer)
 {
     static const double to[][2] = {{220.0, 90.0}, {60.0, 80.0}, {160.0, 75.0}};
@@ -112,8 +112,8 @@ TEST(a_handle_follows_a_pointer)
             }
 }
 
-// The value stops at the end of its range, no drag loses a handle, and a handle behind the camera
-// does not move.
+// A handle's value stops at the end of its range, no drag loses a handle, and a handle behind the
+// camera does not move.
 TEST(a_handle_stays_in_its_range)
 {
     struct handle handle[HANDLES_MOST];

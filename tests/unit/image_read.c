@@ -116,7 +116,7 @@ TEST(sizes_have_their_limits)
     assert_refused("long.png", "longer than 16384 pixels: make the picture smaller");
     png_file("large.png", &kind, 16384, 1025, sample);
     assert_refused("large.png", "too many pixels");
-    // A width of 0 with a correct checksum, patched into a file because libpng refuses to write it.
+    // Patch a width of 0 and its checksum into a file, because libpng refuses to write this width.
     unsigned char bytes[4096];
     const char *path = png_file("none.png", &kind, 4, 12, sample);
     size_t size = picture_bytes(path, bytes, sizeof bytes);

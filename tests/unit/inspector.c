@@ -1,6 +1,6 @@
 // inspector.c - tests the table of the selected ray and the marks on the ray: which rows are
-// visible, that the table covers nothing important, and where the dot and the arrow are. The tests
-// draw no picture, but compare the rectangles of the overlay.
+// visible, that the table covers neither the selected pixel nor the ray, and where the dot and the
+// arrow are. The tests draw no picture, but examine the rectangles of the overlay.
 #include "lib/test.h"
 #include "picture/panel.h"
 #include "picture/pen.h"

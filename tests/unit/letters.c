@@ -124,7 +124,7 @@ TEST(an_image_covers_the_area_of_the_outline)
             assert_true(fabs(covered(&picture, &middle) - wide * high) <=
                         2.0 * (wide + high + 4.0) / 255.0);
             first = phase == 0 ? middle : first;
-            // The smallest square covers an area of 52 pixels, and 26 of its pixels are rounded.
+            // The smallest square covers an area of 53 pixels, and 26 of its pixels are rounded.
             assert_true(fabs(middle - first - 0.25 * phase) <= 0.02);
         }
     }

@@ -12,8 +12,8 @@ static double drawn(int i, uint32_t seed)
     return paint_random(i, 0, seed);
 }
 
-// The dip: the value of a fold is at most the smallest of its distances, and greater than the
-// smallest distance minus the width of the blend.
+// The fold of several distances with part_union is at most the smallest distance, and greater than
+// the smallest distance minus the width of the blend. The difference is the dip.
 TEST(the_dip_is_less_than_the_blend)
 {
     assert_true(fabs(part_union(0.0, 0.0, K) + K / 6.0) < 1e-12); // the dip of two equal distances
@@ -36,7 +36,7 @@ TEST(the_dip_is_less_than_the_blend)
     }
 }
 
-// The value of a fold depends on the order of the parts, so all methods keep that order.
+// The fold of the distances to parts depends on their order, so all methods keep that order.
 TEST(the_fold_is_not_associative)
 {
     double k = K, left = part_union(part_union(0.0, 0.5 * k, k), 0.5 * k, k);
@@ -45,8 +45,8 @@ TEST(the_fold_is_not_associative)
     assert_true(fabs(left - right) > 0.001 * k);
 }
 
-// Proof 1: if a distance that exceeds the smallest by m k is left out, the value of the fold rises
-// by at most e^(-3 (m - 1)) k.
+// Proof 1 of chapter 22: if a distance that exceeds the smallest by m k is left out, the value of
+// the fold rises by at most e^(-3 (m - 1)) k.
 TEST(distant_parts_may_be_left_out)
 {
     double worst[2] = {0.0, 0.0};
@@ -70,8 +70,8 @@ TEST(distant_parts_may_be_left_out)
     assert_true(worst[0] > 1e-5);
 }
 
-// The rate in proof 1: a distance that lowers the value by d k multiplies a difference by at most
-// e^(-3 d).
+// The rate in proof 1 of chapter 22: a distance that lowers the value of a fold by d k multiplies
+// the difference between two folds by at most e^(-3 d).
 TEST(a_difference_shrinks_as_the_value_falls)
 {
     for (int i = 1; i <= 1000; i++) {
@@ -108,7 +108,7 @@ static void point(int i, double p[3])
 // Near the surface, the list of a cell gives the value of all parts, up to the loss of proof 1.
 // Outside the surface, the list's value is at least the value of all parts and, once it is capped
 // at the margin, at most k greater. In an empty cell, the cell's bound, less the distance to the
-// cell's centre, is a lower bound.
+// cell's centre, is a lower bound on the value of all parts.
 TEST_WITH(the_lists_lose_nothing, build, clear)
 {
     int near = 0, empty = 0;
@@ -156,8 +156,9 @@ TEST_WITH(the_tree_loses_nothing, build, clear)
         double hint = part_tree_distance(scene, p, all + 0.1, &bounded);
         assert_true(fabs(hint - all) <= exp(-3.0) * K);
     }
-    print_message("# of %d parts, the tree evaluates %.1f without a bound and %.1f with a bound\n",
-                  scene->count, (double)asked / 5000.0, (double)bounded / 5000.0);
+    print_message(
+        "# of %d parts, the tree evaluates %.1f per point without a bound and %.1f with a bound\n",
+        scene->count, (double)asked / 5000.0, (double)bounded / 5000.0);
     assert_true(bounded < asked && asked < 5000L * scene->count);
 }
 

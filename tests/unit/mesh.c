@@ -298,8 +298,8 @@ TEST(an_obj_file_gives_the_mesh_that_was_written)
     triangles_free(&read);
 }
 
-// The file has indices of every kind. A mesh that is inside out is reversed, and the mesh rests on
-// the floor of its box.
+// The file has several forms of indices. A mesh that is inside out is reversed, and the mesh rests
+// on the floor of its box.
 TEST(a_mesh_fits_into_its_box)
 {
     static const double low[3] = {-0.5, -0.4, -0.5}, high[3] = {0.5, 0.8, 0.5};

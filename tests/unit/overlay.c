@@ -131,7 +131,8 @@ TEST(any_text_can_be_drawn)
     overlay_text(&overlay, 0, 0, text, WHITE);
     overlay_text(&overlay, 0, 20, "", WHITE);
     int before = overlay.count;
-    // The letter é, a space, two control characters, and a byte that is not UTF-8.
+    // The text consists of the letter é, a space, two control characters, and a byte that is not
+    // UTF-8.
     overlay_text(&overlay, 0, 40, "\xc3\xa9 \n\x01\xff", WHITE);
     static const uint32_t signs[] = {0xE9, 0xFFFD, 0xFFFD, 0xFFFD};
     assert_int_equal(overlay.count - before, 4);

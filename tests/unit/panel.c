@@ -1,5 +1,5 @@
 // panel.c - tests the words of the panels and their positions. The tests draw no picture, but
-// compare the letters of the overlay and their positions.
+// examine the letters of the overlay.
 #include "lib/test.h"
 #include "picture/panel.h"
 #include "picture/pen.h"
@@ -27,7 +27,8 @@ static int close_overlay(void **unused)
     return 0;
 }
 
-// True if the rectangles from place on are the letters of a text, all moved by the same distance.
+// True if the rectangles from expected on are the letters of a text, all moved by the same
+// distance.
 static bool stands_at(const struct overlay_rectangle *text, int count,
                       const struct overlay_rectangle *expected)
 {
@@ -182,7 +183,8 @@ TEST(a_panel_keeps_its_width)
     renderer.parameters.count = 3;
 }
 
-// In a picture of any size, a long error takes at most half the picture's height plus three lines.
+// In a picture of any size, a panel with a long error takes at most half the picture's height plus
+// three lines.
 // In a picture of at least 320x180 units, nothing is outside the picture.
 TEST(a_panel_fits_any_picture)
 {
@@ -265,8 +267,8 @@ TEST(rows_are_below_each_other)
     panel_rows_free(&rows);
 }
 
-// A value that is set from a position is shown at that position. On a logarithmic scale, the middle
-// of [0.01, 1] is 0.1.
+// A value that is set from a position in the parameter's range has that position. On a logarithmic
+// scale, the middle of [0.01, 1] is 0.1.
 TEST(a_position_gives_a_value)
 {
     struct parameter linear = {.components = 1, .minimum = -2.0, .maximum = 6.0};

@@ -27,7 +27,7 @@ static void assert_assigned(const struct parameters *parameters, const char *ass
     assert_string_equal(value, expected);
 }
 
-TEST(test_assignments)
+TEST(test_assignments_set_values)
 {
     struct parameters read = parameter_text(sample);
     assert_assigned(&read, "height=-2", "-2");
@@ -47,7 +47,7 @@ TEST(test_assignments)
     parameters_free(&read);
 }
 
-TEST(test_refused_assignments)
+TEST(test_wrong_assignments_are_refused)
 {
     static const char *const refused[][2] = {
         {"nothing=1", "height, steps, shown, colour, small, more"},
@@ -101,7 +101,7 @@ TEST(test_refused_assignments)
     parameter_said(capture_end(), "--set a=1", "has no parameters");
 }
 
-TEST(test_key_presses)
+TEST(test_key_presses_change_values)
 {
     struct parameters read = parameter_text(sample);
     struct parameter *p = parameters_find(&read, "height");
@@ -199,7 +199,7 @@ static void assert_printed(const struct parameters *parameters, const char *expe
     assert_string_equal(printed, expected);
 }
 
-TEST(test_table)
+TEST(test_the_table_lists_all_parameters)
 {
     struct parameters read =
         parameter_text("uniform float tilt; // 1e-3 in [1e-6, 100000], \u00b0: m \u00e9\n"
@@ -215,7 +215,7 @@ TEST(test_table)
 
 // In French and German, the decimal separator is a comma, but shaders and command lines still use a
 // point.
-TEST(test_another_locale)
+TEST(test_another_locale_changes_nothing)
 {
     static const char *const locales[] = {"fr_FR.UTF-8", "de_DE.UTF-8", "fr_FR", "de_DE"};
     const char *found = NULL;

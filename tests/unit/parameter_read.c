@@ -29,7 +29,7 @@ static void assert_refused(const char *line, const char *why)
 
 // ---- Reading ----
 
-TEST(test_all_parts)
+TEST(test_all_parts_are_read)
 {
     struct parameters read =
         read_one("uniform float sunElevation;   // 40 in [-90, 90] step 1, degrees: "
@@ -50,7 +50,7 @@ TEST(test_all_parts)
     assert_null(read.item);
 }
 
-TEST(test_handles)
+TEST(test_handles_are_read)
 {
     struct parameters read = parameter_text(
         "uniform vec2 aim;   // (0.6, 0.1) handle scene units: where the ray points\n"
@@ -79,7 +79,7 @@ TEST(test_handles)
     assert_refused("uniform vec2 a; // (11, 2) handle: a", "outside its range");
 }
 
-TEST(test_types_and_default_steps)
+TEST(test_types_and_default_steps_are_read)
 {
     struct parameters read = parameter_text(
         "uniform int   maxSteps;     // 128 in [1, 512]: steps\n"
@@ -118,7 +118,7 @@ TEST(test_types_and_default_steps)
 
 // No-break spaces, which a French keyboard types, count as blanks. Control characters, which a
 // terminal would obey, become '?'.
-TEST(test_blanks_and_controls)
+TEST(test_no_break_spaces_are_blanks_and_controls_are_replaced)
 {
     struct parameters read = parameter_text("uniform float a; //\xC2\xA0"
                                             "1 in\xE2\x80\xAF[0,\xC2\xA0"
@@ -130,7 +130,7 @@ TEST(test_blanks_and_controls)
     parameters_free(&read);
 }
 
-TEST(test_decimal_commas)
+TEST(test_decimal_commas_are_refused_with_a_hint)
 {
     assert_refused("uniform float a; // 0,5 in [0, 1]: a", "the value has a comma: write 0.5");
     assert_refused("uniform float a; // 0.5 in [0, 1,5]: a", "the maximum has a comma: write 1.5");
@@ -174,7 +174,7 @@ TEST(test_other_dialects_ignore_malformed_comments)
     parameters_free(&parameters);
 }
 
-TEST(test_malformed_values)
+TEST(test_malformed_values_are_refused)
 {
     assert_refused("uniform float a; // 1", "no range");
     assert_refused("uniform float a; // 1: meaning", "no range");
@@ -199,7 +199,7 @@ TEST(test_malformed_values)
     assert_refused("uniform bool a; // true", "write");
 }
 
-TEST(test_malformed_rest)
+TEST(test_malformed_ranges_steps_units_and_meanings_are_refused)
 {
     assert_refused("uniform float a; // 1 in [0 2]: x", "comma");
     assert_refused("uniform float a; // 1 in [0, 2: x", "not closed");
@@ -222,7 +222,7 @@ TEST(test_malformed_rest)
                    "unit is too long");
 }
 
-TEST(test_malformed_declarations)
+TEST(test_malformed_declarations_are_refused)
 {
     assert_refused("uniform uint a; // 1 in [0, 2]: x", "a uint cannot be a parameter");
     assert_refused("uniform mat3 a; // 1 in [0, 2]: x", "a mat3 cannot be a parameter");

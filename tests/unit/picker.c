@@ -28,7 +28,8 @@ static void assert_near(double a, double b, double most)
         fail_msg("%.9g is not %.9g", a, b);
 }
 
-// The six hues at corners of the RGB cube, a grey, and a colour that was converted by hand.
+// The table contains the six hues at corners of the RGB cube, a grey, and a colour that was
+// converted by hand.
 TEST(a_hue_is_a_colour)
 {
     static const double table[][6] = {{0, 1, 1, 1, 0, 0},         {1.0 / 6, 1, 1, 1, 1, 0},
@@ -54,8 +55,8 @@ TEST(encoding_reverses_decoding)
         assert_near(colour_encode(colour_decode(i / 255.0)), i / 255.0, 1e-6);
 }
 
-// A grid of 9 x 9 x 9 colours. They come back exactly, because values are rounded to about a
-// thousandth of their range.
+// Each of 9 x 9 x 9 colours comes back without the rounding errors of the conversion, because
+// picker_give rounds values to about a thousandth of their range.
 TEST(a_colour_that_is_taken_is_given_back)
 {
     struct parameter *lamp = &parameters[1];

@@ -83,12 +83,12 @@ TEST(pixels_are_at_their_positions)
     check_positions(COURSE_POSITION, 0.0005);
 }
 
-TEST(pixels_of_a_whole_file_are_at_their_positions)
+TEST(pixels_of_a_shader_with_its_own_main_are_at_their_positions)
 {
     check_positions(WHOLE_POSITION, 0.0005);
 }
 
-// The picture takes several bands of renderer_picture. Row 0 of the image is the top row.
+// renderer_picture draws this picture in several bands. Row 0 of the image is the top row.
 TEST(a_picture_of_several_bands_has_no_seam)
 {
     assert_true(gpu_load_text(COURSE_POSITION));
@@ -154,8 +154,8 @@ TEST(samples_are_the_mean_of_a_larger_picture)
     check_mean("03_shadows", 4, 1e-6, 0.0);
 }
 
-// Thirds of a pixel and the interpolated position of a whole file are not exact, so a few samples
-// on edges differ.
+// Thirds of a pixel, and the interpolated position that a shader with its own main reads, are not
+// exact, so a few samples on edges differ.
 TEST(samples_are_nearly_the_mean_of_a_larger_picture)
 {
     check_mean("00_first_scene", 2, 2.0 / 255.0, IMAGE_F2_TOLERANCE);
@@ -225,7 +225,7 @@ TEST(a_picture_sharpened_in_parts_is_the_same_bit_for_bit)
 
 static GLint look_up(GLuint program, const GLchar *name)
 {
-    fail_msg("program %u: a draw looks up '%s'", program, name);
+    fail_msg("program %u: a draw looks up the uniform '%s'", program, name);
     return -1;
 }
 
@@ -322,8 +322,8 @@ TEST(if_floats_do_not_blend_half_floats_are_used)
 
 TEST(values_become_bytes)
 {
-    // A whole file writes each value as red, with 0.25 as green and 0.75 as blue. The value is not
-    // clamped before it is written to the target.
+    // A shader with its own main writes each value as red, with 0.25 as green and 0.75 as blue. The
+    // value is not clamped before it is written to the target.
     static const struct {
         const char *value;
         unsigned char byte;

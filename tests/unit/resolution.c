@@ -6,8 +6,8 @@
 enum { FRAMES = 60 };
 static const double pixels = 960.0 * 540.0;
 
-// A frame takes a fixed time, plus a cost per pixel, in seconds. Enlarging the frame takes the time
-// beside, in seconds.
+// A machine takes the time fixed for each frame, cost for each pixel, and beside for enlarging the
+// frame, all in seconds.
 struct machine {
     double fixed, cost, beside;
 };
@@ -112,8 +112,8 @@ TEST(a_single_slow_frame_changes_nothing)
     }
 }
 
-// The level follows a lasting change after its second frame, and corrects a guess after the first
-// frame.
+// The level follows a lasting change after the second frame of the change. A wrong guess is
+// corrected after the first frame.
 TEST(a_change_that_lasts_is_followed)
 {
     struct machine quick = {0.0, 0.03 / pixels, 0.01}, slow = {0.0, 1.2 / pixels, 0.01};

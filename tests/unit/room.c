@@ -1,5 +1,5 @@
-// room.c - tests that the camera stops at the ground and at the water. The end of each move is
-// compared with the room around the camera, in double precision.
+// room.c - tests that the camera stops at the ground and at the water. During random walks, the
+// shader's cameraRoom is checked in double precision at the end of each move.
 #include <dirent.h>
 
 #include "lib/test.h"

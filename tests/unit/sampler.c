@@ -1,5 +1,5 @@
-// sampler.c - tests annotated samplers: how their comments are read, where their files are searched
-// for, which errors are reported in which line, and how the command line replaces pictures.
+// sampler.c - tests annotated samplers: how their comments are read, where the program looks for
+// their files, which error is reported for which line, and how the command line replaces pictures.
 #include "lib/test.h"
 
 #include "shader/dialect.h"
@@ -63,7 +63,7 @@ static void assert_refused(const char *text, const char *where, const char *why)
     assert_true(parameters.samplers.item == NULL && parameters.item == NULL);
 }
 
-TEST(test_all_parts)
+TEST(test_all_parts_are_read)
 {
     const struct samplers *read = samplers_of(
         "#include \"lib.glsl\"\n"
@@ -94,7 +94,7 @@ TEST(test_all_parts)
     assert_string_equal(source.files[read->item[1].file], "shaders/textures/stone.png");
 }
 
-TEST(test_texts_that_declare_no_sampler)
+TEST(test_other_texts_declare_no_sampler)
 {
     const struct samplers *read = samplers_of("#if 0\nuniform sampler2D a;\n#endif\n"
                                               "// uniform sampler2D b;\n"
@@ -161,7 +161,7 @@ static const char *const wrong[][2] = {
     {"uniform sampler2D a; // \"/etc/hostname\" sRGB repeat: x", "an absolute path"},
     {"uniform sampler2D a; // \"both.png/x\" sRGB repeat: x", "no such file"}};
 
-TEST(test_malformed)
+TEST(test_malformed_declarations_are_refused)
 {
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         if (!has_link && strstr(wrong[i][0], "link.png") != NULL)
@@ -220,7 +220,7 @@ static void assert_misfit(const char *text, const struct shader_request *request
 static const char two[] = "uniform sampler2D a; // \"stone.png\" sRGB repeat: x\n"
                           "uniform sampler2D ab; // \"stone.png\" sRGB repeat: x\n";
 
-TEST(test_another_picture)
+TEST(test_the_command_line_replaces_a_picture)
 {
     char first[4096 + 8], second[4096 + 8];
     snprintf(first, sizeof first, "ab=%s", scratch_path("own/both.png"));
@@ -246,7 +246,7 @@ TEST(test_another_picture)
                     NULL);
 }
 
-TEST(test_channels)
+TEST(test_channels_come_from_the_command_line)
 {
     static const char toy[] = "void mainImage(out vec4 c, vec2 p) { c = texture(iChannel2, p); }\n";
     static const char whole[] = "#version 330 core\nuniform sampler2D iChannel2; out vec4 c;\n"
@@ -284,7 +284,7 @@ TEST(test_channels)
                    "my.frag:2: ", "iChannel0: cube maps are not supported");
 }
 
-TEST(test_the_table)
+TEST(test_the_table_describes_a_texture)
 {
     char text[1024];
     samplers_of("uniform sampler3D a; // \"stone.png\" linear clamp 12: what it is\n", NULL);

@@ -40,7 +40,7 @@ static unsigned char *ball(void)
     return grid;
 }
 
-// Two points on the ball, 0.28 apart, and the distance to a roll between them.
+// Two points on the ball, 0.28 apart, and the distance to a roll of clay between them.
 static const double from[3] = {0.0, 0.48, 0.14}, to[3] = {0.0, 0.48, -0.14};
 
 static double to_roll(const double p[3], double radius)
@@ -50,8 +50,8 @@ static double to_roll(const double p[3], double radius)
     return length(way) - radius;
 }
 
-// Carry out a stroke between these points, in this number of pieces.
-//   radius  of the roll; negative to take clay away
+// Carry out a stroke between the two points, in this number of pieces.
+//   radius  of the roll of clay; negative to take clay away
 static void work(unsigned char *grid, int pieces, double radius)
 {
     unsigned char *before = mesh_memory(BYTES, 1);
@@ -86,8 +86,8 @@ static void assert_near_truth(double radius)
         if (fabs(truth) < cell)
             beside = fmax(beside, error);
     }
-    print_message("# roll with the radius %g: the largest error is %.3f cells, beside the surface "
-                  "%.3f cells\n",
+    print_message("# roll of radius %g: the largest error is %.3f cells outside added clay, and "
+                  "%.3f cells beside the surface\n",
                   radius, worst, beside);
     assert_true(worst < 1.0);
     assert_true(beside < 0.3);

@@ -55,7 +55,7 @@ static void assert_explained(const char *text, const char *log, const char *expe
 
 #define IN_PROJECT(name) TEST_WITH(name, set_up, scratch_teardown)
 
-IN_PROJECT(test_mesa)
+IN_PROJECT(test_a_log_of_mesa_is_explained)
 {
     assert_explained(course, "0:5(24): error: `x' undeclared\n0:6(20): error: `y' undeclared\n",
                      "shaders/lib.glsl:2: error: `x' undeclared\n    float lib() { return x; }\n"
@@ -64,7 +64,7 @@ IN_PROJECT(test_mesa)
                      "@:3: error: #error why: not\n    int g() { return 2; }\n");
 }
 
-IN_PROJECT(test_nvidia)
+IN_PROJECT(test_a_log_of_nvidia_is_explained)
 {
     assert_explained(
         course,
@@ -75,7 +75,7 @@ IN_PROJECT(test_nvidia)
         "@:2: error: C1503: undefined variable \"y\"\n    float f() { return y; }\n");
 }
 
-IN_PROJECT(test_others)
+IN_PROJECT(test_logs_of_other_drivers_are_explained)
 {
     assert_explained(course,
                      "ERROR: 0:5: 'x' : undeclared identifier\nERROR: 0:6: 'y' : undeclared "
@@ -88,9 +88,10 @@ IN_PROJECT(test_others)
                      "@:2: warning: odd\n    float f() { return y; }\n");
 }
 
-// Two lines precede a whole file, and the first line replaces the file's #version. A main follows a
-// file in Shadertoy's dialect, and an error there is reported for the file's last line.
-IN_PROJECT(test_other_dialects)
+// Two lines precede a file with its own main, and the first of them replaces the file's #version. A
+// main follows a file in Shadertoy's dialect, and an error there is reported for the file's last
+// line.
+IN_PROJECT(test_errors_in_other_dialects_have_the_right_line)
 {
     assert_explained("#version 330 core\nint f() { return 1.0; }\n", "0:4(11): error: bad\n",
                      "@:2: error: bad\n    int f() { return 1.0; }\n");
@@ -126,7 +127,7 @@ IN_PROJECT(test_lines_that_cannot_be_mapped_are_kept)
                      "@:3: error: unexpected end of file\n    int g() { return 2; }\n");
 }
 
-IN_PROJECT(test_repetition_and_warnings)
+IN_PROJECT(test_repetitions_and_warnings_beside_errors_are_left_out)
 {
     assert_explained(course, "0:6(1): error: a\n0:6(1): error: a\n0:6(2): error: b\n",
                      "@:2: error: a\n    float f() { return y; }\n@:2: error: b\n");
@@ -136,7 +137,7 @@ IN_PROJECT(test_repetition_and_warnings)
                      "@:2: warning: w\n    float f() { return y; }\n");
 }
 
-IN_PROJECT(test_unresolved_function)
+IN_PROJECT(test_an_unresolved_function_is_reported_at_its_call)
 {
     scratch_write("root/shaders/lib.glsl", "float far(vec3 p);\n// far(p)\nfloat near(vec3 p)\n{\n"
                                            "    return far (p);\n}\n");
@@ -206,7 +207,7 @@ IN_PROJECT(test_good_shader_links_in_silence)
     driver.context.gl.DeleteProgram(program);
 }
 
-IN_PROJECT(test_syntax_errors)
+IN_PROJECT(test_syntax_errors_have_the_right_line)
 {
     assert_blamed("float lib(float x)\n{\n    return 2.0 * ;\n}\n", main_ok,
                   "\nshaders/lib.glsl:3: error: ", "\n    return 2.0 * ;\n");
@@ -218,7 +219,7 @@ IN_PROJECT(test_syntax_errors)
 
 // The driver notices a missing semicolon only at the next token, so the message names the token's
 // line and the line where the semicolon may be missing.
-IN_PROJECT(test_a_missing_semicolon)
+IN_PROJECT(test_a_missing_semicolon_is_reported_with_both_lines)
 {
     assert_blamed("float lib(float x)\n{\n    float y = x\n\n    return 2.0 * y;\n}\n", main_ok,
                   "\nshaders/lib.glsl:5: error: ", ", or at the end of line 3\n");
@@ -228,7 +229,7 @@ IN_PROJECT(test_a_missing_semicolon)
     assert_null(strstr(said, "or at the end"));
 }
 
-IN_PROJECT(test_undeclared_names)
+IN_PROJECT(test_undeclared_names_have_the_right_line)
 {
     assert_blamed("float lib(float x)\n{\n\n    return 2.0 * z;\n}\n", main_ok,
                   "\nshaders/lib.glsl:4: error: ", "\n    return 2.0 * z;\n");
@@ -238,7 +239,7 @@ IN_PROJECT(test_undeclared_names)
         "/root/main.frag:5: error: ", "\n    colour = vec4(none);\n");
 }
 
-IN_PROJECT(test_whole_files)
+IN_PROJECT(test_errors_in_a_file_with_its_own_main_have_the_right_line)
 {
     assert_blamed(library_ok,
                   "#version 330 core\n#include \"lib.glsl\"\nout vec4 colour;\nvoid main()\n{\n"
@@ -246,7 +247,7 @@ IN_PROJECT(test_whole_files)
                   "/root/main.frag:6: error: ", "\n    colour = vec4(none);\n");
 }
 
-IN_PROJECT(test_characters_outside_ascii)
+IN_PROJECT(test_characters_outside_ascii_are_named)
 {
     assert_blamed(library_ok,
                   "#version 330 core\nout vec4 c; // é\nvoid main()\n{\n    float \xC3\xA9t;\n"
@@ -260,7 +261,7 @@ IN_PROJECT(test_characters_outside_ascii)
         "vec4");
 }
 
-IN_PROJECT(test_calls_that_link_to_nothing)
+IN_PROJECT(test_calls_that_link_to_nothing_are_reported)
 {
     assert_blamed("float gone(float x);\nfloat lib(float x)\n{\n    return gone(x);\n}\n", main_ok,
                   "\nshaders/lib.glsl:4: error: ", "gone");
@@ -287,7 +288,7 @@ static int close_context(void **state)
 
 // ---- Views ----
 
-IN_PROJECT(test_views)
+IN_PROJECT(test_only_files_in_the_course_s_dialect_have_all_views)
 {
     enum shader_view view = SHADER_PICTURE;
     for (int i = 0; i < SHADER_VIEW_COUNT; i++) {

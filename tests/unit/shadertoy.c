@@ -7,7 +7,7 @@
 
 // The text lacks the declarations that Shadertoy makes itself, and its camera and parameters are
 // constants.
-TEST(test_export_for_shadertoy)
+TEST(test_the_export_makes_the_camera_and_parameters_constant)
 {
     scratch_write("root/shaders/main.glsl", "void main() { }\n");
     const char *path = scratch_write("root/chapters/main.frag",

@@ -97,8 +97,8 @@ TEST(the_frame_shows_the_march)
         float zoom = SLICE_ZOOM_MINIMUM * (float)pow(zooms, i / 100.0);
         assert_shows(frame_of(PROBE_PASSED, miss_t, miss, 5, zoom), 2.0, 2.0);
     }
-    // A ray that leaves a surface, such as a shadow ray: the distances grow, and the whole march
-    // is inside the frame.
+    // For a ray that leaves a surface, such as a shadow ray, the distances grow, and the whole
+    // march is inside the frame.
     const float leave_t[] = {0.0f, 0.002f, 0.006f, 1.0f, 3.5f},
                 leave[] = {0.002f, 0.004f, 0.994f, 2.5f, 4.0f};
     assert_shows(frame_of(PROBE_PASSED, leave_t, leave, 5, 1.0f), 0.0, 3.4);
@@ -118,7 +118,7 @@ TEST(the_frame_shows_the_march)
     assert_float_equal(frame.left, -0.05f, 1e-6f);
 }
 
-// Lines divide a tick with the first digit 1 or 5 into five parts, and a tick with the first digit
+// Lines divide a tick whose first digit is 1 or 5 into five parts, and a tick whose first digit is
 // 2 into four parts.
 TEST(the_lines_are_round_parts_of_a_tick)
 {

@@ -72,7 +72,7 @@ IN_PROJECT(test_an_include_is_replaced_by_its_file)
     assert_text("#include\"leaf.glsl\"", "// #include\"leaf.glsl\"\nfloat leaf();\n");
 }
 
-IN_PROJECT(test_file_is_included_once)
+IN_PROJECT(test_a_file_is_included_once)
 {
     assert_text(
         "#include \"leaf.glsl\"\n#include \"twig.glsl\"\n#include \"../shaders/leaf.glsl\"\nx\n",
@@ -107,7 +107,7 @@ IN_PROJECT(test_the_including_file_s_folder_comes_before_shaders)
                 "// #include \"deep/a.glsl\"\n// #include \"b.glsl\"\nb\n");
 }
 
-IN_PROJECT(test_shader_outside_the_project)
+IN_PROJECT(test_a_shader_outside_the_project_can_include_files)
 {
     struct shader_source source;
     scratch_write("own/near.glsl", "near\n");
@@ -146,7 +146,7 @@ IN_PROJECT(test_chapters_come_last)
     shader_free(&source);
 }
 
-IN_PROJECT(test_name_as_given)
+IN_PROJECT(test_a_file_keeps_its_name_as_given)
 {
     struct shader_source source;
     char before[4096];
@@ -170,7 +170,7 @@ IN_PROJECT(test_comments_include_nothing)
     assert_text(text, text);
 }
 
-IN_PROJECT(test_nesting)
+IN_PROJECT(test_nested_includes_have_a_limit)
 {
     char name[64], text[64];
     for (int i = 0; i < 70; i++) {
@@ -188,7 +188,7 @@ IN_PROJECT(test_nesting)
     shader_free(&source);
 }
 
-IN_PROJECT(test_missing_include)
+IN_PROJECT(test_a_missing_include_is_refused)
 {
     assert_refused("\n\n#include \"foo.glsl\"\n", "main.frag:3: #include \"foo.glsl\": ",
                    "no such file beside main.frag, in shaders/ or in chapters/");
@@ -222,7 +222,7 @@ IN_PROJECT(test_every_file_is_seen)
     assert_null(source.text);
 }
 
-IN_PROJECT(test_cycles)
+IN_PROJECT(test_cycles_of_includes_are_refused)
 {
     assert_refused("x\n#include \"main.frag\"\n", "main.frag:2: ", "includes itself",
                    "main.frag -> ");
@@ -232,7 +232,7 @@ IN_PROJECT(test_cycles)
                    "shaders/b.glsl:2: ", "shaders/a.glsl -> shaders/b.glsl -> shaders/a.glsl");
 }
 
-IN_PROJECT(test_climbing_out)
+IN_PROJECT(test_paths_out_of_the_project_are_refused)
 {
     scratch_write("secret.glsl", "secret\n");
     scratch_write("rootless/secret.glsl", "secret\n");
@@ -250,7 +250,7 @@ IN_PROJECT(test_climbing_out)
     assert_refused("#include \"c:leaf.glsl\"\n", "main.frag:1: ", "absolute");
 }
 
-IN_PROJECT(test_links)
+IN_PROJECT(test_links_out_of_the_project_are_refused)
 {
     scratch_write("secret.glsl", "secret\n");
     if (!system_make_link("../../secret.glsl", scratch_path("root/shaders/link.glsl")))
@@ -262,7 +262,7 @@ IN_PROJECT(test_links)
 }
 
 // On a system that distinguishes upper and lower case, a link provides the name in the other case.
-IN_PROJECT(test_names_in_another_case)
+IN_PROJECT(test_names_in_another_case_are_refused)
 {
     assert_refused("#include \"Leaf.glsl\"\n", "main.frag:1: #include \"Leaf.glsl\": ");
     system_make_link("leaf.glsl", scratch_path("root/shaders/LEAF.glsl"));
@@ -278,7 +278,7 @@ IN_PROJECT(test_names_in_another_case)
     assert_refused("#include \"deep\\a.glsl\"\n", "only on Windows: write /");
 }
 
-IN_PROJECT(test_malformed_includes)
+IN_PROJECT(test_malformed_includes_are_refused)
 {
     const char *const lines[] = {"#include\n",
                                  "#include leaf.glsl\n",
@@ -299,7 +299,7 @@ IN_PROJECT(test_malformed_includes)
 
 // ---- Files that are not shaders ----
 
-IN_PROJECT(test_tidy)
+IN_PROJECT(test_line_ends_and_byte_order_marks_are_tidied)
 {
     scratch_write("root/shaders/leaf.glsl", "\xEF\xBB\xBFleaf\r\n\r\n");
     assert_text("\xEF\xBB\xBF"
@@ -310,7 +310,7 @@ IN_PROJECT(test_tidy)
     assert_text("a // \\", "a // \\\n\n");
 }
 
-IN_PROJECT(test_binary_and_empty)
+IN_PROJECT(test_binary_and_empty_files_are_refused)
 {
     const char *path = scratch_write_bytes("root/chapters/bin.frag", "a\0b\n", 4);
     assert_path_refused(path, "bin.frag: ", "zero byte");
@@ -332,7 +332,7 @@ static char *long_text(size_t size)
     return text;
 }
 
-IN_PROJECT(test_size_limits)
+IN_PROJECT(test_files_that_are_too_large_are_refused)
 {
     char *text = long_text(1024 * 1024 + 1), name[64], all[1024] = "";
     assert_refused(text, "main.frag: ", "1 MiB");
@@ -351,7 +351,7 @@ IN_PROJECT(test_size_limits)
     free(text);
 }
 
-IN_PROJECT(test_special_files)
+IN_PROJECT(test_special_files_are_refused)
 {
     assert_path_refused(scratch_path("root/shaders"), "not a regular file");
     assert_path_refused(scratch_path("root/none.frag"), "none.frag: ", "No such file");
@@ -364,7 +364,7 @@ IN_PROJECT(test_special_files)
     assert_refused("#include \"fifo.glsl\"\n", "main.frag:1: ", "not a regular file");
 }
 
-IN_PROJECT(test_open_comment)
+IN_PROJECT(test_an_open_comment_is_refused)
 {
     assert_refused("a\n/* b\nc\n", "main.frag:2: ", "never closed");
     scratch_write("root/shaders/open.glsl", "/* x\n");
@@ -373,7 +373,7 @@ IN_PROJECT(test_open_comment)
 
 // ---- Directives ----
 
-IN_PROJECT(test_directives)
+IN_PROJECT(test_line_directives_are_disabled_and_a_late_version_is_refused)
 {
     assert_text("x\n # line 100\ny\n", "x\n//  # line 100\ny\n");
     assert_refused("x\n#version 330 core\n", "main.frag:2: #version must come first");

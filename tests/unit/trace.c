@@ -34,8 +34,8 @@ TEST(a_picture_leaves_no_trace_in_a_probe)
     free(first);
 }
 
-// Rays that start at (screen, 2) and descend to the plane z = 0 at an angle, so that each step
-// leaves a fifth of the distance to the plane.
+// The rays of this shader start at (screen, 2) and descend to the plane z = 0 at an angle, so that
+// each step leaves a fifth of the distance to the plane.
 #define TOWARDS_A_PLANE(steps)                                                                     \
     "#include \"main.glsl\"\n"                                                                     \
     "#include \"march.glsl\"\n"                                                                    \

@@ -37,7 +37,7 @@ static void show(void *to)
 static int set_up(void **unused)
 {
     (void)unused;
-    // The shader appears to read OrthoView.
+    // Make the shader appear to read OrthoView, so that Tab changes the projection.
     static struct shader_input ortho;
     ortho = inputs_default(inputs_find("OrthoView"));
     renderer.fragment.inputs = &ortho;
@@ -72,7 +72,8 @@ static double travelled(void)
     return (double)glm_vec3_norm(way);
 }
 
-// If all these events arrive in one poll, the pointer is already at the end of the drag.
+// If all these events arrive in one poll, the pointer is already at the end of the drag when GLFW
+// reports the focus.
 TEST_WITH(a_drag_right_after_the_focus_turns_the_camera, set_up, NULL)
 {
     user.calls.focus(NULL, GLFW_TRUE);
@@ -165,7 +166,7 @@ TEST_WITH(the_wheel_zooms, set_up, NULL)
 }
 
 // The camera moves at 2 units per second while the key is down, or at 8 while Shift or F is held
-// too, however many iterations of the main loop that takes.
+// too, however many iterations of the main loop run in that time.
 TEST_WITH(a_held_key_moves, set_up, NULL)
 {
     user_press(GLFW_KEY_W, 0);

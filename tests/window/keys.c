@@ -177,7 +177,7 @@ SESSION_TEST(time_runs_and_can_be_paused)
     session_key(GLFW_KEY_4); // the steps view, which a file with its own main does not have
     session_assert_title(" - picture");
     assert_non_null(strstr(session_said(2), "steps"));
-    assert_true(session_off(0, NULL) > 0.01); // the overlay says so too
+    assert_true(session_off(0, NULL) > 0.01); // the overlay shows the message too
     session_key(GLFW_KEY_1);
     assert_true(session_off(0, NULL) <= 0.0); // the message disappears with the next view
     session_key(GLFW_KEY_R);
@@ -226,8 +226,8 @@ SESSION_TEST(f11_fills_the_monitor_below_the_window)
     session_assert_shown(CHAPTER, SESSION_STILL);
 }
 
-// While the window's edge is dragged on Windows or macOS, GLFW does not return, so the main loop
-// does not run.
+// While the window's edge is dragged on Windows or macOS, GLFW's poll for events does not return,
+// so the main loop does not run.
 SESSION_TEST(a_size_is_shown_at_once)
 {
     session_open_bare(CHAPTER, SESSION_STILL);

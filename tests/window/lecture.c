@@ -128,7 +128,7 @@ SESSION_TEST(a_ray_comes_before_the_next_scene)
 {
     open_text("01 " STILL " --view slice --step 2\n01 " STILL "\n");
     assert_scene(stems[1], STILL " --view slice --step 2");
-    key(GLFW_KEY_Q, 0); // Page Down also goes along the ray from before the scene's first step
+    key(GLFW_KEY_Q, 0); // goes to step 1, from which Page Down also steps along the ray
     on();
     on();
     session_assert_shown(stems[1], SIZE STILL " --view slice --step 3");
@@ -137,7 +137,7 @@ SESSION_TEST(a_ray_comes_before_the_next_scene)
     session_assert_shown(stems[1], SIZE STILL " --view slice --step 4");
     on(); // the march has five steps
     assert_scene(stems[1], STILL);
-    back(); // to the last step of the scene before
+    back(); // to the last step of the previous scene
     assert_scene(stems[1], STILL " --view slice --step 4");
     back();
     back();
@@ -157,7 +157,7 @@ SESSION_TEST(n_skips_the_steps_of_a_ray)
     assert_scene(stems[1], STILL " --view normals");
     key(GLFW_KEY_N, GLFW_MOD_SHIFT);
     key(GLFW_KEY_N, GLFW_MOD_SHIFT);
-    assert_scene(stems[1], STILL " --view slice --step 4"); // all steps are shown, as with Page Up
+    assert_scene(stems[1], STILL " --view slice --step 4"); // the last step, as with Page Up
     close_list();
 }
 
@@ -240,7 +240,7 @@ SESSION_TEST(a_shader_that_is_saved_during_the_lecture_is_shown)
     back();
     save("undeclared");
     capture_begin();
-    on(); // the scene before stays, with the error
+    on(); // the previous scene stays, with the error
     assert_non_null(strstr(capture_end(), "undeclared"));
     session_keep(0);
     on(); // the lecture continues

@@ -53,7 +53,7 @@ SESSION_TEST(a_slow_picture_is_coarse_and_sharpens_from_the_top)
     assert_true(!sharp(above) && !sharp(below));
     double begun = user.now;
     disturb();
-    assert_true(user.now - begun < 0.25); // 0.08 s for each picture, plus the iterations
+    assert_true(user.now - begun < 0.25); // two pictures of 0.08 s, and two iterations
     for (int i = 0; i < 10; i++) {        // the picture must rest for 0.3 s before it sharpens
         session_turn();
         assert_false(sharp(above));
@@ -94,7 +94,7 @@ SESSION_TEST(a_coarse_picture_marches_the_selected_ray)
     scratch_write("marched.frag",
                   "#include \"main.glsl\"\n#include \"camera.glsl\"\n#include \"march.glsl\"\n"
                   "#include \"marched.glsl\"\n"
-                  "uniform float unused; // 1 in [0, 2]: its change draws a new picture\n"
+                  "uniform float unused; // 1 in [0, 2]: a change redraws the picture\n"
                   "Ray pixelRay(vec2 screen) { return perspectiveRay(screen); }\n"
                   "float sceneDistance(vec3 p) { return 4.0 - p.x; }\n"
                   "vec3 rayColour(Ray ray)\n{\n"

@@ -170,7 +170,7 @@ SESSION_TEST(words_act_as_buttons)
     session_assert_title("(paused)");
     session_click(28, 128);
     assert_false(session_titled("(paused)"));
-    session_click(126, 128); // the button for a step on selects the ray of the middle pixel
+    session_click(126, 128); // the button for the next step selects the ray of the middle pixel
     assert_non_null(strstr(session_said(1), "ray of pixel 240,135"));
     session_key(GLFW_KEY_X);
     session_click(165, 128); // the button that hides the panel
@@ -253,7 +253,8 @@ SESSION_TEST(a_colour_is_picked)
     }
 }
 
-// Check whether the panel is at a position. The panel is darker than the white picture behind it.
+// Check that the panel is, or is not, at a position. The panel is darker than the white picture
+// behind it.
 static void assert_panel(int x, int y, bool there)
 {
     struct image image;

@@ -144,7 +144,7 @@ SESSION_TEST(a_ray_stays_in_space)
     snprintf(slice, sizeof slice, RAY " --view slice --step %d", last_step());
     session_open_bare(CHAPTER, SESSION_STILL);
     session_click(170, 70);
-    session_key(GLFW_KEY_H); // shows the cross on the ray's pixel, with a dot in it at a step
+    session_key(GLFW_KEY_H); // shows a cross on the ray's pixel and, at a step, a dot in the cross
     session_keep(1);
     session_key(GLFW_KEY_HOME);
     assert_true(session_off(1, (const int[]){168, 68, 5, 5}) > 0.0);

@@ -86,7 +86,7 @@ SESSION_TEST(shift_u_also_takes_back_strokes_of_the_command_line)
     session_close();
 }
 
-// A drag turns the camera if it starts beside the clay or if the tool is set to 0.
+// A drag turns the camera if the drag starts beside the clay or if the tool is set to 0.
 SESSION_TEST(a_drag_beside_the_clay_looks_around)
 {
     sculpt("0");

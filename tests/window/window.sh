@@ -37,11 +37,11 @@ swings() { xdotool mousemove_relative 30 0 && shoot_as captured && differ before
 captured() { key m && xdotool mousemove_relative 4 0 && shoot_as before && eventually swings; }
 check 'M captures the pointer, which then turns the camera without a button' captured
 freed() { key m && shoot_as freed && xdotool mousemove_relative 20 20 && shoot_as still && same freed still; }
-check 'M again frees the pointer' freed
+check 'a second press of M frees the pointer' freed
 check 'W moves the camera' walk w
 rests() { shoot_as rest && same there rest; }
 check 'releasing W stops the camera' rests
-# Show the desktop while the key is down: the window loses the focus and is not told that the key is released.
+# Show the desktop while W is down. The window then loses the focus and is not told that the key is released.
 forgets() {
     xdotool keydown w sleep 0.1 && wmctrl -k on && eventually unfocused && xdotool keyup w && wmctrl -k off &&
         xdotool windowactivate "$window" && eventually focused && shoot_as a && shoot_as b && same a b
@@ -61,7 +61,7 @@ full_screen() {
     before=$(rectangle)
     key F11 && eventually size_is 1280x1024 && key F11 && eventually rectangle_is "$before"
 }
-check 'F11 fills the screen, and F11 again restores position and size' full_screen
+check "F11 fills the screen, and a second press restores the window's position and size" full_screen
 goes() { # X Y: ask the window manager to move the window to this position
     local before
     before=$(rectangle)
@@ -92,9 +92,9 @@ else
     # shellcheck disable=SC2086 # the options are separate words
     start $chapter $still && key h
     frenchwalk() { walk z && xdotool keydown w sleep 0.15 keyup w && shoot_as a && same there a; }
-    check 'AZERTY: Z, at the position of W, moves the camera; W, at the position of Z, does not' frenchwalk
+    check 'on an AZERTY keyboard, Z, at the position of W, moves the camera, and W does not' frenchwalk
     digit() { xdotool key eacute && shows ' - normals - ' && key Down && shows 'normalStep'; }
-    check 'AZERTY: the key of the digit 2 shows the normals' digit
+    check 'on an AZERTY keyboard, the key of the digit 2 shows the normals' digit
     setxkbmap us
     check 'Backspace closes the window with status 0' backspace
 fi
@@ -109,7 +109,7 @@ paged() {
     key Next && shows ' - normals - ' && key h h && render wanted -s 1280x1024 -v normals && eventually shown wanted &&
         key Prior && shows ' - picture - '
 }
-check 'Page Down shows the next scene, and Page Up the one before' paged
+check 'Page Down shows the next scene, and Page Up the previous scene' paged
 check 'Backspace ends the lecture' backspace
 
 # Where coordinates are in pixels, as on Windows and X11, the window itself is larger on a dense display.
@@ -128,7 +128,7 @@ hidden_window() {
     "$BUILD/$chapter" -s 160x90 -f "$scratch/both.frag" -o "$scratch/egl.png" &&
         "$BUILD/$chapter" -s 160x90 -f "$scratch/both.frag" -b glfw -o "$scratch/glfw.png" && same egl glfw
 }
-check 'textures are the same, bit for bit, with a hidden window and without a window' hidden_window
+check 'textures look the same, bit for bit, with a hidden window and without a window' hidden_window
 
 close_window
 plan
