@@ -1,7 +1,7 @@
 #!/bin/bash
-# answers.sh [EXERCISE...] - tests that `make check` cannot be fooled. It must refuse each wrong answer in
+# answers.sh [EXERCISE...] - tests that `make check` cannot be fooled. The check must refuse each wrong answer in
 # tests/course/answers.txt because the answer differs, and accept each right one and the solution itself. It must also
-# refuse the chapter's unsolved shader, for whatever reason. With arguments, such as 03_2, only those exercises are
+# refuse the unsolved chapter or engine, for whatever reason. With arguments, such as 03_2, only those exercises are
 # tested.
 set -u
 cd "$(dirname "$0")/../.." || exit 1

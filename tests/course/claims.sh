@@ -68,7 +68,7 @@ judge() {
         *'no pixel differs') check "$page says that $a and $b are alike" [ "$none" = yes ] ;;
         *' % of the pixels differ'*)
             said=${said%% %*}
-            [ $# = 0 ] || check "$page says that $a and $b differ in $said %" agrees "${said#less than }" "$@"
+            [ $# = 0 ] || check "$page says that $a and $b differ in $said % of the pixels" agrees "${said#less than }" "$@"
             ;;
         *) not_ok "$page compares $a and $b" "$said" ;;
         esac

@@ -93,7 +93,7 @@ while IFS=$'\t' read -r student exercise mark remark; do
             else if (n == column) text = text c
         }
         print mark "\t" text }' "$scratch/row")
-    check "$student, $exercise: $mark" eval "[ '$mark' = \"\${found%%\$'\t'*}\" ] && grep -q -e '$remark' <<<\"\${found#*\$'\t'}\"" || echo "# $found"
+    check "the answer of student $student to exercise $exercise is marked $mark" eval "[ '$mark' = \"\${found%%\$'\t'*}\" ] && grep -q -e '$remark' <<<\"\${found#*\$'\t'}\"" || echo "# $found"
 done <"$expected"
 check 'the marks are counted' grep -q '^30 students: 34 right, 18 wrong, 8 copied$' "$scratch/said" || sed 's/^/# /' "$scratch/said"
 plan

@@ -104,7 +104,7 @@ bad_pictures() { # PAGE
         name=${target##*/}
         [[ $target == *figures/*.svg ]] && [ -e "docs/figures/${name%.svg}.c" ] && continue
         [[ $target == *tests/references/*.png && $listed_pictures == *" ${name%.png} "* ]] ||
-            echo "$1:$line: $target is not a picture of tests/pictures/images.txt"
+            echo "$1:$line: $target is neither in tests/pictures/images.txt nor drawn by a program of docs/figures/"
     done
 }
 
@@ -126,7 +126,7 @@ bad_formulas() { # PAGE
         END { if (open) print page ": a formula is not closed" }'
 }
 
-# A page has a summary in French, which is five lines long, below the heading L'essentiel.
+# A chapter's page has a summary in French, which is five lines long, below the heading L'essentiel.
 bad_summary() { # PAGE
     awk '
         /^#+ L.essentiel *$/ { found = 1; next }
@@ -194,7 +194,7 @@ bad_folds() { # PAGE
         END { judge(); if (open) print "line " open ": a fold is not closed" }' "$1"
 }
 
-# A page has all its parts in order, and its story (the text before the parameters) has at most 4000 words.
+# A chapter's page has all its parts in order, and its story (the text before the parameters) has at most 4000 words.
 bad_form() { # PAGE
     local wanted=''
     grep -q '^### In short$' "$1" || echo "has no section 'In short'"
@@ -281,7 +281,7 @@ bad_labs() { # PAGE
         END { judge(); if (last < 6) print "the last lab is " last + 0 }' "$1"
 }
 
-# A page has a command that shows two pictures side by side in a window, a wrong one and the right one.
+# A chapter's page has a command that shows two pictures side by side in a window, a wrong one and the right one.
 lacks_pair() { # PAGE
     code_of "$1" | grep -qE '^build/[0-9].* --compare( |$)' || echo "$1: no command has --compare"
 }
@@ -308,7 +308,7 @@ bad_commands() { # PAGE
             case $command in
             [A-Z]*=*) # a variable that later commands use; anything after its value would be executed
                 [[ $command =~ ^[A-Z_]+=[^\ ]*\ *$ || $command =~ ^[A-Z_]+=\'[^\']*\'\ *$ || $command =~ ^[A-Z_]+=\"[^\"]*\"\ *$ ]] ||
-                    { echo "$1: $command: a variable in front of a command" && continue; }
+                    { echo "$1: $command: no variable may be set in front of a command" && continue; }
                 eval "$command"
                 ;;
             make\ [a-z]*)
@@ -452,7 +452,7 @@ check_checks() {
     refuses 'a French term that the glossary lacks' 'the ray (*rayon*), the **word** (*mot, rayon*)\n' untranslated
     refuses 'a term listed twice' "$(sed '/^| acne /p' docs/glossary.md)" bad_glossary
     refuses 'a term without a French name' "$(sed 's/ [*]cellule[*] / /' docs/glossary.md)" bad_glossary
-    refuses 'a lab without a question' "$(sed '0,/Exit question/s//Question/' docs/teaching.md)" bad_labs
+    refuses 'a lab without an exit question' "$(sed '0,/Exit question/s//Question/' docs/teaching.md)" bad_labs
     refuses 'a missing lab' "$(sed '/^### Lab 3/d' docs/teaching.md)" bad_labs
     refuses 'a merge conflict marker' 'a\n<<<<<<< HEAD\nb\n' bad_merges
     refuses 'a formula that GitHub changes' 'so $a \\\\, b$ is\n' bad_formulas
@@ -523,19 +523,19 @@ rewrites() { # PAGE
 check_tool() {
     local page=$scratch/tool.md source=$scratch/source.glsl
     write_source
-    check 'a listing: a function, not its prototype' lists once $'float once(vec3 p)\n{\n    return p.x;\n}'
-    check 'a listing: with the comment above' lists 'once with-comment' \
+    check 'a listing shows a function, not its prototype' lists once $'float once(vec3 p)\n{\n    return p.x;\n}'
+    check 'a listing can show the comment above a function' lists 'once with-comment' \
         $'// What once is.\nfloat once(vec3 p)\n{\n    return p.x;\n}'
-    check 'a listing: a constant' lists EDGE 'const float EDGE = 1.0; // a brace { in a comment'
-    check 'a listing: a struct' lists Pair $'struct Pair {\n    float a; // ;\n};'
-    check 'a listing: a whole file' lists '*' "$(cat "$source")"
+    check 'a listing shows a constant' lists EDGE 'const float EDGE = 1.0; // a brace { in a comment'
+    check 'a listing shows a struct' lists Pair $'struct Pair {\n    float a; // ;\n};'
+    check 'a listing shows a whole file' lists '*' "$(cat "$source")"
 
     printf '<!-- code: %s gone -->\n' "$source" >"$page"
-    check 'an unknown name fails' fails "$page" ':1: .*source.glsl: defines no gone'
+    check 'a listing of an unknown name fails' fails "$page" ':1: .*source.glsl: defines no gone'
     printf '\n<!-- code: %s twice -->\n' "$source" >"$page"
-    check 'a name that is defined twice fails' fails "$page" ':2: .*defines twice more than once'
+    check 'a listing of a name that is defined twice fails' fails "$page" ':2: .*defines twice more than once'
     printf '<!-- code: %s once -->\n' "$scratch/gone.glsl" >"$page"
-    check 'a missing file fails' fails "$page" 'cannot be read'
+    check 'a listing of a missing file fails' fails "$page" 'cannot be read'
     printf '<!-- code: %s -->\n' "$source" >"$page"
     check 'a malformed marker fails' fails "$page" 'malformed'
     printf '<!-- code: %s once -->\n```glsl\nfloat\n' "$source" >"$page"

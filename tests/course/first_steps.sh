@@ -23,7 +23,7 @@ grown() {
     local step before=100 lines
     for step in 1 2 3 4 5 6; do
         lines=$(wc -l <"$sources/engine_$step.c")
-        [ $((lines - before)) -le 60 ] || { echo "# engine_$step.c has $lines lines, and the step before has $before" && return 1; }
+        [ $((lines - before)) -le 60 ] || { echo "# engine_$step.c has $lines lines, more than 60 above $before" && return 1; }
         before=$lines
     done
 }
@@ -91,7 +91,7 @@ check 'a folder given as a shader is reported' fails 1 '^engine: tests: ' draw t
 head -c 70000 /dev/zero | tr '\0' ' ' >"$scratch/long.frag"
 check 'a shader that is too long is reported' fails 1 'long.frag: too long: ' draw "$scratch/long.frag"
 sed 's/red, green/rde, green/' "$sources/1_screen.frag" >"$scratch/wrong.frag"
-check 'a mistake in a shader is reported with its line' fails 1 "^engine: $scratch/wrong.frag:13: .*rde" draw "$scratch/wrong.frag"
+check 'a mistake in a shader is reported with its line number' fails 1 "^engine: $scratch/wrong.frag:13: .*rde" draw "$scratch/wrong.frag"
 sed 's/in vec2 FragCoord/in vec4 FragCoord/' "$sources/1_screen.frag" >"$scratch/unfit.frag"
 check 'an input of the wrong type is reported' fails 1 "^engine: $scratch/unfit.frag: .*FragCoord" draw "$scratch/unfit.frag"
 check 'a missing picture is reported' fails 1 '^engine: gone.png: ' draw "$sources/engine_5.frag" gone.png

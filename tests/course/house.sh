@@ -1,7 +1,7 @@
 #!/bin/bash
 # house.sh - tests the rules of docs/architecture.md: which folders of common/ may use which others, which files may
 # depend on the system, and how many files may be directly in common/. It also tests that the shaders avoid functions
-# with undefined results.
+# whose results are undefined or inaccurate.
 #
 # The dependencies between the folders are checked in two independent ways: from the includes of the sources, and from
 # the symbols that the objects need from each other.
@@ -154,7 +154,7 @@ edgy() {
 }
 
 printf 'float bare(float x)\n{\n    return log(x);\n}\n// log(x)\nfloat even(float x)\n{\n    return exp(x);\n}\n' >"$scratch/edgy.glsl"
-check 'a logarithm is detected' [ "$(edgy "$scratch/edgy.glsl")" = bare ]
+check 'a function that calls log is detected' [ "$(edgy "$scratch/edgy.glsl")" = bare ]
 # shellcheck disable=SC2046 # no name of a shader has a blank
 edgy $(find shaders -name '*.glsl' | grep -vE '/(coarse|figure|plot|projection|signs|slice|views).glsl$' | sort) | while read -r name; do
     grep -q "[^A-Za-z]$name(" tests/shaders/edges.frag || echo "$name"

@@ -1,6 +1,6 @@
-// Unit tests of shaders/textures/paint.c, the functions that draw the textures, and a check that
-// the pictures repeat without a seam. tests/course/textures.sh compares the pictures with the
-// output of their programs.
+// paint.c - tests the functions of shaders/textures/paint.c, with which the textures are drawn, and
+// checks that the pictures repeat without a seam. tests/course/textures.sh compares the pictures
+// with the output of their programs.
 #include "lib/test.h"
 
 #include <dirent.h>

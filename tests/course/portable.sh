@@ -1,7 +1,7 @@
 #!/bin/bash
 # portable.sh - tests that the commands that a reader types also run on a Mac, with bash 3.2, GNU make 3.81, and the
 # awk, sed and grep of the BSDs. The suite searches the scripts for words that these tools lack. It also runs the
-# commands with the BSDs' awk and with busybox instead of GNU's tools, and compares the results. Other tests cover line
+# commands with the BSDs' awk and with busybox instead of GNU's tools, and compares the results. It also tests line
 # endings, a Mac's compiler, and the requests of setup.sh on a Mac and on Windows.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -22,12 +22,12 @@ xargs (-d|-r|--)|(head|tail) -[nc] [-+]*-|grep -[a-zA-Z]*P|du -[a-z]*b|cp -[a-zA
 sed -i( |$)|sed [^|]*\\[|+?]|find [^|]*-(printf|regex)
 END
 
-# words_in FILE...: prints the lines that contain such a word, except for comments.
+# words_in FILE...: prints the lines that match one of these patterns, except for comments.
 words_in() {
     grep -HnE -f "$scratch/patterns" "$@" | grep -vE '^[^:]*:[0-9]*:[[:blank:]]*#'
 }
 
-# Each of these lines contains one such word.
+# Each of these lines contains a word that a Mac lacks.
 cat >"$scratch/newer" <<'END'
 echo "${name^}"
 declare -A table
@@ -54,7 +54,7 @@ check 'each word that a Mac lacks is detected' [ ! -s "$scratch/missed" ] || sed
 find .make -name '*.sh' ! -name fresh.sh ! -name windows_libraries.sh | sort | xargs grep -l . >"$scratch/scripts"
 printf '%s\n' tests/run tests/lib/tap.sh tests/pictures/references.sh >>"$scratch/scripts"
 while read -r file; do words_in "$file"; done <"$scratch/scripts" >"$scratch/words"
-check 'no script that a reader runs contains such a word' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scratch/words"
+check 'no script that a reader runs contains a word that a Mac lacks' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scratch/words"
 
 # GNU make 3.81 does not know private, undefine, !=, ::=, .ONESHELL, &:, $(file ...), $(intcmp ...) or $(let ...).
 newer_make() { grep -nE '^(private|undefine) |^[A-Z_a-z]+ *(!=|::=)|^\.ONESHELL|&:|\$\((file|intcmp|let) ' "$@"; }
@@ -62,7 +62,7 @@ newer_make() { grep -nE '^(private|undefine) |^[A-Z_a-z]+ *(!=|::=)|^\.ONESHELL|
 printf '%s\n' 'X != date' 'X ::= a' 'undefine X' '.ONESHELL:' 'a b &: c' 'X = $(file >a,b)' >"$scratch/make"
 check 'each word that make 3.81 lacks is detected' [ "$(newer_make "$scratch/make" | wc -l)" = 6 ]
 newer_make Makefile >"$scratch/words"
-check 'the Makefile contains no such word' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scratch/words"
+check 'the Makefile contains no word that make 3.81 lacks' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scratch/words"
 
 # ---- Line endings ----
 
@@ -78,7 +78,7 @@ kept_by_git() {
 }
 if command -v git >/dev/null; then
     check "a git that writes Windows' line endings can clone the files" kept_by_git
-    check 'the clone has the same bytes' diff -rq "$scratch/ours" "$scratch/theirs"
+    check 'the files of the clone have the same bytes' diff -rq "$scratch/ours" "$scratch/theirs"
 else
     skip "a git that writes Windows' line endings can clone the files" 'no git on this machine'
 fi
@@ -113,9 +113,9 @@ if command -v clang >/dev/null; then
     check "the code of common/platform/ compiles for a Mac's C library" apple common/platform/posix*.c
     check "a program builds with clang, a Mac's macros and only GLFW" mac_build
     if command -v Xvfb >/dev/null; then
-        check 'the program renders to a file with a hidden window' mac_picture
+        check "a program built as on a Mac renders to a file with a hidden window" mac_picture
     else
-        skip 'the program renders to a file with a hidden window' 'no Xvfb on this machine'
+        skip "a program built as on a Mac renders to a file with a hidden window" 'no Xvfb on this machine'
     fi
 elif [ -n "${CI-}" ]; then
     not_ok "a Mac's compiler" 'no clang on this machine'
@@ -151,7 +151,7 @@ same() {
     answer gnu "$@" >"$scratch/gnu.said"
     for tools in bsd busybox; do
         answer $tools "$@" >"$scratch/said"
-        check "$name: $tools" cmp -s "$scratch/gnu.said" "$scratch/said" || diff "$scratch/gnu.said" "$scratch/said" | head -n 5 | sed 's/^/# /'
+        check "$name: the output is the same with the tools of $tools" cmp -s "$scratch/gnu.said" "$scratch/said" || diff "$scratch/gnu.said" "$scratch/said" | head -n 5 | sed 's/^/# /'
     done
 }
 
@@ -164,7 +164,7 @@ marks() { .make/listings.sh --check; }
 same 'make help' make help
 same 'make check' checks
 same 'make docs' marks
-same 'the chapters' lists
+same 'the list of chapters' lists
 same 'the list of suites' tests/run --find no_such_suite
 compares() { PICTURES='tests/references/01_normal_colouring.png tests/references/02_lighting.png' .make/compare.sh; }
 same 'make compare' compares
@@ -172,10 +172,10 @@ same 'make compare' compares
 measures() { ROUNDS=1 FRAMES=2 CHAPTER=00 .make/benchmark.sh; }
 for tools in bsd busybox; do
     answer $tools measures >"$scratch/said"
-    check "make benchmark: $tools" grep -q '^| 00_first_scene | [0-9.]* | [0-9.]* | [0-9.]* | [0-9]* | - |' "$scratch/said" ||
+    check "make benchmark prints its table with the tools of $tools" grep -q '^| 00_first_scene | [0-9.]* | [0-9.]* | [0-9.]* | [0-9]* | - |' "$scratch/said" ||
         sed 's/^/# /' "$scratch/said"
 done
-check 'make check reported a pixel' grep -q 'your pixel' <(answer bsd checks)
+check 'with the tools of bsd, make check reports a pixel' grep -q 'your pixel' <(answer bsd checks)
 
 # ---- What setup.sh requests on a Mac ----
 
@@ -194,13 +194,13 @@ asked_for() {
     sed 's/^/# /' "$scratch/lacks"
     return 1
 }
-check "a Mac is asked for Apple's tools first" asked_for 'xcode-select --install$'
+check "on a Mac, setup.sh asks for Apple's tools first" asked_for 'xcode-select --install$'
 on_mac xcode-select true
-check 'a Mac is then asked for Homebrew' asked_for 'Homebrew.*https://brew.sh'
+check "on a Mac with Apple's tools, setup.sh asks for Homebrew" asked_for 'Homebrew.*https://brew.sh'
 on_mac brew "echo '$scratch/homebrew'"
-check 'a Mac is then asked for the folder of stb' asked_for "git clone --depth 1 https://github.com/nothings/stb $scratch/homebrew/include/stb\$"
+check 'on a Mac with Homebrew, setup.sh asks for the folder of stb' asked_for "git clone --depth 1 https://github.com/nothings/stb $scratch/homebrew/include/stb\$"
 : >"$scratch/homebrew/include/stb/stb_truetype.h"
-check "a Mac is then asked for Homebrew's packages, including those of the tests" asked_for '^  brew install cglm cmocka git glfw imagemagick libpng pkg-config$'
+check "on a Mac with stb, setup.sh asks for Homebrew's packages, including those of the tests" asked_for '^  brew install cglm cmocka git glfw imagemagick libpng pkg-config$'
 
 # ---- Windows ----
 

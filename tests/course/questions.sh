@@ -13,8 +13,8 @@ check_empty() { # NAME FILE
 
 # ---- The source ----
 
-# Write a line for each question: its number, its count of answers, and the positions of the right answer and of the
-# longest answer.
+# Write a line for each question: its number, the number of its answers, and the positions of the right answer and of
+# the longest answer.
 awk '
     function done() { if (id != "") print id, n, right, longest; n = right = most = 0 }
     /^## / { done(); id = $2 }
@@ -123,7 +123,7 @@ check 'special characters are read back from XML' reads_back "$scratch/signs.txt
 
 refuses() { # NAME WORDS TEXT
     printf '%b' "$3" >"$scratch/bad.txt"
-    check "refused: $1" eval "! writes '$scratch/bad.txt' && grep -q -e '$2' '$scratch/said' && [ \"\$(wc -l <'$scratch/said')\" = 1 ] && [ ! -e '$scratch/written/ray-marching.xml' ]"
+    check "a file of questions is refused for $1" eval "! writes '$scratch/bad.txt' && grep -q -e '$2' '$scratch/said' && [ \"\$(wc -l <'$scratch/said')\" = 1 ] && [ ! -e '$scratch/written/ray-marching.xml' ]"
 }
 good='## 00.1 a?\n+ b\n- c // d\n- e // f\n'
 check 'a good question is accepted' eval "printf '$good' >'$scratch/good.txt' && writes '$scratch/good.txt'"
@@ -133,7 +133,7 @@ refuses 'a reason for the right answer' 'bad.txt:2: .* the right one has none' "
 refuses 'only one wrong answer' '00.1 needs' "${good/- e \/\/ f\\n/}"
 refuses 'a number that occurs twice' 'bad.txt:5: .* each number occurs once' "$good$good"
 refuses 'a chapter that does not exist' 'chapter 77 has no page' "${good/00.1/77.1}"
-refuses 'a line of no known kind' 'bad.txt:5: this is neither' "${good}so\n"
+refuses 'a line of an unknown kind' 'bad.txt:5: this is neither' "${good}so\n"
 absent() { ! writes "$scratch/absent.txt" && grep -q "no such file" "$scratch/said"; }
-check "refused: no such file" absent
+check 'a missing file of questions is refused' absent
 plan

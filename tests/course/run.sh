@@ -1,6 +1,6 @@
 #!/bin/bash
 # run.sh - tests tests/run itself with suites that are made for this purpose: which results tests/run counts, and which
-# suites it ends. It also tests which commands of make run one after the other.
+# suites it ends. This suite also tests which commands of make run one after the other.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -61,10 +61,10 @@ suite slow <<<'for i in 1 2 3 4 5 6 7 8; do echo "ok $i - $i"; sleep 0.5; done; 
 lasts() { limit=3 gives 0 '^8 passed, 0 failed' slow; }
 check 'a suite that has results may take longer than the limit' lasts
 
-# Two commands of make at the same time would compile each other's files.
+# Two commands on one command line of make, such as all and tests, would compile the same files if they ran at once.
 in_turn() { make -npq "$@" 2>/dev/null | grep -q '^[.]NOTPARALLEL:'; }
-check 'two commands of make run one after the other' in_turn all tests
+check 'two commands on one command line of make run one after the other' in_turn all tests
 at_once() { ! in_turn "$1" && ! in_turn programs tests; }
-check 'a single command runs in parallel, and so do two commands that only build' at_once test
+check 'a single command of make runs in parallel, and so do two commands that only build' at_once test
 
 plan

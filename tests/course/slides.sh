@@ -50,7 +50,7 @@ check 'every sentence is on a slide' sentences
 check 'the handouts are typeset' eval ".make/handouts.sh >'$scratch/out' 2>'$scratch/err'" || sed 's/^/# /' "$scratch/err"
 labs=$(grep -cE '^### (Lab [0-9]+|A lab in C):' docs/teaching.md)
 check 'the guide for teachers has at least 19 labs' [ "$labs" -ge 19 ]
-check 'each lab has two pages' [ "$(pages handouts)" = $((2 * labs)) ]
+check 'each lab has two pages in the handouts' [ "$(pages handouts)" = $((2 * labs)) ]
 check 'each lab has a page with its answers' [ "$(pages handouts-answers)" = "$labs" ]
 apart() { # true if the handouts have a question of each kind, and only the answer sheets have the answers
     has handouts 'How many reflections draw 4096 tetrahedra?' && has handouts-answers 'three for each of six levels' &&

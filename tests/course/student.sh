@@ -22,7 +22,7 @@ chapters=$(find docs -name '[0-9][0-9]_*.md' | wc -l)
 
 # ---- What is in it ----
 
-check 'the history of the folder is kept, but no stale file' [ -e "$course/.git/kept" -a ! -e "$course/docs/stale.md" ]
+check 'the history of the folder is kept, and a stale file is removed' [ -e "$course/.git/kept" -a ! -e "$course/docs/stale.md" ]
 
 check 'the course for students has the pages of all chapters' [ "$(find "$course/docs" -name '[0-9][0-9]_*.md' | wc -l)" = "$chapters" ]
 find "$course" -path '*solutions*' -o -name 'teaching.md' -o -name 'questions.txt' -o -name 'answers.txt' >"$scratch/found"
@@ -30,9 +30,9 @@ check_empty 'the course for students has no solutions, no answers, no questions 
 grep -nE 'summary>(Answer|Solution)<|chapters/solutions/' "$course"/README.md "$course"/docs/{README,engine,[0-9]*}.md >"$scratch/found"
 check_empty 'no page of a chapter has a folded answer or names a solution' "$scratch/found"
 hints() { cat "$@" | grep -c '<summary>Hint'; }
-check 'the hints remain' [ "$(hints "$course"/docs/*.md)" = "$(hints docs/*.md)" ]
+check 'the course for students has all hints' [ "$(hints "$course"/docs/*.md)" = "$(hints docs/*.md)" ]
 exercises() { cat "$@" | grep -cE '^\*\*[0-9]+\. \((easy|medium|hard)\)'; }
-check 'the exercises remain' [ "$(exercises "$course"/docs/*.md)" = "$(exercises docs/*.md)" ]
+check 'the course for students has all exercises' [ "$(exercises "$course"/docs/*.md)" = "$(exercises docs/*.md)" ]
 # Print the long lines of the solutions that are in no other shader and on no page outside a fold.
 own_lines() {
     cat chapters/solutions/*.frag | grep -E '^    ' | sort -u >"$scratch/lines"
@@ -43,7 +43,7 @@ own_lines() {
 own_lines >"$scratch/own"
 grep -rnFf "$scratch/own" "$course" --include='*.frag' --include='*.md' --include='*.glsl' --include='*.txt' >"$scratch/found"
 check 'more than 100 long lines are only in solutions' [ "$(wc -l <"$scratch/own")" -gt 100 ]
-check_empty 'no line of a solution remains' "$scratch/found"
+check_empty 'the course for students has no line that is only in a solution' "$scratch/found"
 for page in "$course"/README.md "$course"/docs/*.md; do
     # shellcheck disable=SC2016 # the backticks are Markdown's
     sed 's/`[^`]*`//g' "$page" | grep -oE '\]\([^)#]+' | cut -c 3- | grep -vE '^(https?|mailto):' | while read -r target; do
@@ -52,7 +52,7 @@ for page in "$course"/README.md "$course"/docs/*.md; do
 done >"$scratch/found"
 check_empty 'the target of every link and every picture in the course for students exists' "$scratch/found"
 grep -n 'solutions/' "$course/tests/pictures/images.txt" >"$scratch/found"
-check_empty 'the gallery renders no picture of a solution' "$scratch/found"
+check_empty 'the gallery of the course for students renders no picture of a solution' "$scratch/found"
 check 'the course for students has a dev container, a workflow and a folder for answers' [ -e "$course/.devcontainer/devcontainer.json" -a -e "$course/.github/workflows/check.yml" -a -x "$course/answers/check.sh" ]
 files() { (cd "$scratch/out" && find ray-marching -type f ! -path '*/.git/*'); }
 zipped() { unzip -Z1 "$scratch/out/ray-marching.zip" 2>/dev/null || python3 -m zipfile -l "$scratch/out/ray-marching.zip" | awk 'NR > 1 { print $1 }'; }

@@ -47,7 +47,7 @@ static struct window window = {.start = &start}; // provides the key list
 struct back {
     struct overlay_rectangle box;
     int first; // index of the first rectangle in the panel, after the background
-    bool note; // the panel is a note: a dark box of the same size is below its background
+    bool note; // the panel is a note: a dark box of the same size is drawn under its background
 };
 static struct back backs[BACKS];
 static int back_count;
@@ -82,7 +82,7 @@ static void find_backs(void)
     }
 }
 
-// True if two consecutive letters do not overlap: they are side by side in one line, or their lines
+// True if two consecutive letters do not overlap: they are side by side on one line, or their lines
 // are at least 10 units apart.
 static bool parted(const struct overlay_rectangle *a, const struct overlay_rectangle *b)
 {

@@ -36,20 +36,20 @@ static void check_frame(const char *stem, const char *chapter, const char *frame
     }
 }
 
-TEST(test_the_stage_looks_as_in_its_chapter)
+TEST(test_the_faster_stage_looks_the_same_as_in_chapter_03)
 {
     check_frame("03_shadows", "chapters/03_shadows.frag", "chapters/experiments/16_frame_03.frag");
 }
 
-TEST(test_the_pyramid_looks_as_in_its_chapter)
+TEST(test_the_faster_pyramid_looks_the_same_as_in_chapter_06)
 {
     check_frame("06_sierpinski_symmetry", "chapters/06_sierpinski_symmetry.frag",
                 "chapters/experiments/16_frame_06.frag");
 }
 
 // If a march may end anywhere within a threshold as wide as a pixel, its picture depends on where
-// the rays start. This frame's march ends exactly at the threshold, so its picture is the same with
-// and without the coarse pass.
+// the rays start. The march of 16_frame_09.frag ends where the distance equals the threshold, so
+// with and without the coarse pass, its pictures agree within the tolerance.
 TEST(test_the_city_does_not_depend_on_where_rays_begin)
 {
     static const char frame[] = "chapters/experiments/16_frame_09.frag";
@@ -68,9 +68,9 @@ TEST(test_the_city_does_not_depend_on_where_rays_begin)
     }
 }
 
-// The frame writes the city's distance out, so that shared terms are computed once. With the
-// chapter's own march, this distance gives the same picture as that of city.glsl.
-TEST(test_the_distance_written_out_is_the_same)
+// 16_frame_09.frag writes the city's distance out, so that shared terms are computed once. With the
+// chapter's own march, this distance gives the same picture as the distance of city.glsl.
+TEST(test_the_distance_written_out_gives_the_same_city)
 {
     struct renderer_inputs inputs = {.width = 640, .height = 360, .time = 1.0f, .samples = 1};
     struct image own = drawn("09_sky_and_sunset", "chapters/09_sky_and_sunset.frag", 1.0),

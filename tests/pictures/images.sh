@@ -25,7 +25,7 @@ draw_by_program() { # NAME BACKEND
     "$BUILD/$1" $options -b "$2" -o "$scratch/$1.$2.png" >/dev/null 2>"$scratch/$1.$2.err" ||
         rm -f "$scratch/$1.$2.png"
 }
-draw_rest() { # BACKEND PART: every second picture, starting with index PART (0 or 1)
+draw_rest() { # BACKEND PART: draws every second picture that has a variant, starting with index PART (0 or 1)
     awk -v part="$2" '$2 != "-" && n++ % 2 == part { print $1 "-" $2 }' "$scratch/list" |
         "$BUILD/tests/draw" "$1" "$scratch" 2>"$scratch/$1.$2.errors" |
         while read -r said; do

@@ -41,7 +41,7 @@ static double texel_at(const struct image_bytes *image, double u, double v, int 
 
 // Between 9 and 16 degrees above the horizon, a pixel is smaller than a texel, so level 0 is read.
 // The driver's interpolation weights have 8 bits, so the tolerance is three steps of 1/256.
-TEST(test_clouds_are_the_panorama_turned)
+TEST(test_the_clouds_are_the_rotated_panorama)
 {
     struct image_bytes image = {0};
     char path[4200], why[IMAGE_WHY];
@@ -82,7 +82,7 @@ TEST(test_clouds_are_the_panorama_turned)
 // High in the sky, a texel is narrower than it is high. If the rim of a cloud were a sudden change
 // from one texel to the next, it would look like a staircase, so the change is spread over a width
 // that equals a texel's height.
-TEST(rims_of_clouds_are_no_stairs)
+TEST(rims_of_clouds_do_not_look_like_staircases)
 {
     static const char *const names[] = {"clouds_fair", "clouds_storm"};
     for (int i = 0; i < 2; i++) {
@@ -98,7 +98,8 @@ TEST(rims_of_clouds_are_no_stairs)
             for (int x = 0; x < 3 * image.width; x++) {
                 const unsigned char *row = image.value + 3 * image.width * y;
                 int change = abs(row[x] - row[(x + 3) % (3 * image.width)]);
-                worst = fmax(worst, (change - 1) / 255.0 * high / wide); // - 1 for the rounding
+                // Subtract 1, because the values in the file are rounded.
+                worst = fmax(worst, (change - 1) / 255.0 * high / wide);
             }
         }
         free(image.value);

@@ -1,7 +1,7 @@
 #version 330 core
-// The scene whose time is the unit of `make benchmark`. It resembles the scene at the end of the report, but the code
-// is our own: a ball in the frame of a box, at most 60 steps, a normal from six distances, one sun and a moving camera.
-// It never changes, because otherwise no earlier measurement could be compared with a new one.
+// The scene whose rendering time is the unit of `make benchmark`. It resembles the scene at the end of the report, but
+// the code is our own: a ball in the frame of a box, at most 60 steps, a normal from six distances, one sun and a
+// moving camera. The scene never changes, because otherwise no earlier measurement could be compared with a new one.
 
 in vec2  FragCoord;
 in float Time;

@@ -1,5 +1,5 @@
 // report_pictures.c - compares the pictures of docs/benchmark.md with the report's figures: the
-// edges of objects, shadows and lawns lie between the same pixels as in the figure.
+// edges of objects, shadows and lawns lie between the same pixels as in the figures.
 #include "lib/test.h"
 #include "lib/report_pictures.h"
 

@@ -43,7 +43,7 @@ static struct d3 random_near_stones(void)
     return d3(x, y, random_in(-0.6, 0.6));
 }
 
-TEST(test_the_shader_carves_these_stones)
+TEST(test_the_shader_and_the_test_carve_the_same_stones)
 {
     float *values = chapter_numbers(
         "12_textures",
@@ -60,7 +60,7 @@ TEST(test_the_shader_carves_these_stones)
     assert_true(worst < 1e-4);
 }
 
-TEST(test_the_divisor_is_large_enough)
+TEST(test_the_divisor_of_the_rough_distance_is_large_enough)
 {
     enum { PAIRS = 300000 };
     double steepest = 0.0;
@@ -69,9 +69,10 @@ TEST(test_the_divisor_is_large_enough)
         struct d3 p = random_near_stones(), q = d3_add(p, d3_times(1e-3, random_direction()));
         steepest = fmax(steepest, fabs(rough_stones(p) - rough_stones(q)) / 1e-3);
     }
-    print_message("# %d pairs: the distance to the rough stones changes by at most %.4f times the "
-                  "step, before it is divided by %.4f: %.0f %% to spare\n",
-                  PAIRS, steepest, stretch(), 100.0 * (stretch() / steepest - 1.0));
+    print_message(
+        "# %d pairs of points: the undivided distance to the rough stones changes by at most "
+        "%.4f times the distance between the points; the divisor is %.4f: %.0f %% to spare\n",
+        PAIRS, steepest, stretch(), 100.0 * (stretch() / steepest - 1.0));
     assert_true(steepest <= stretch() && steepest > 0.75 * stretch());
 }
 
@@ -95,8 +96,8 @@ static double stones_alone(struct d3 p, int *nearest)
 
 static const struct mirror_scene stones_scene = {.function = stones_alone};
 
-// The march never passes the first point that small steps find inside a stone. If it reports a hit,
-// the function is below the threshold there; if it reports a miss, small steps find no stone
+// The march never passes the first point that small steps find inside a stone. If the march reports
+// a hit, the function is below the threshold there; if it reports a miss, small steps find no stone
 // either.
 TEST(test_no_ray_passes_a_rough_stone)
 {
@@ -137,7 +138,7 @@ static struct d3 smooth_normal(struct d3 p)
 
 // Measure the angle between the normal of the carved stone and that of the smooth stone, tilted by
 // the same noise, on the front stones between the ground and the board.
-TEST(test_a_bump_is_nearly_the_carving)
+TEST(test_bumped_normals_are_close_to_carved_normals)
 {
     int seen = 0;
     double sum = 0.0, largest = 0.0;

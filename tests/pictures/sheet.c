@@ -1,5 +1,5 @@
-// sheet.c - tests the sheet of chapter 10: its outline has the same width at every zoom, and its
-// two colours differ even for eyes that lack one kind of cone.
+// sheet.c - tests the sheet of chapter 10: the outline of its figure has the same width at every
+// zoom, and the sheet's two colours differ even for eyes that lack the L or the M cones.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -34,8 +34,8 @@ static void load(int figure)
     set("aim", 1.0, 0.0);
 }
 
-// The coordinate of a pixel's centre on the sheet. The picture shows height units of the sheet from
-// bottom to top.
+// The coordinate of a pixel's centre on the sheet. From bottom to top, the picture shows a part of
+// the sheet that is `height` units high.
 static double coordinate(int pixel, int size, double height)
 {
     return (2.0 * pixel + 1.0 - size) / HEIGHT * height / 2.0;
@@ -87,13 +87,14 @@ TEST(test_the_outline_has_one_width)
     for (double height = 1.9; height < 6.0; height *= 1.6)
         for (int mixed = 0; mixed < 3; mixed++) {
             double slope, width = outline_width(height, 0.25 * mixed, &slope);
-            print_message("# from %.1f, slope %.2f: %.2f pixels\n", height, slope, width);
+            print_message("# from height %.1f, slope %.2f: outline of %.2f pixels\n", height, slope,
+                          width);
             assert_true(width >= 1.8 && width <= 3.4);
         }
 }
 
-// For every kind of colour vision, the inside is so much darker than the outside that hue is not
-// needed to tell them apart.
+// With full colour vision, and also without L or without M cones, the inside is so much darker than
+// the outside that hue is not needed to tell them apart.
 TEST(test_inside_is_darker_for_every_eye)
 {
     load(2);
@@ -115,8 +116,8 @@ TEST(test_inside_is_darker_for_every_eye)
                 else
                     darkest = fmin(darkest, lightness);
             }
-        print_message("# eye %d: inside at most %.3f, outside at least %.3f\n", eye, lightest,
-                      darkest);
+        print_message("# eye %d: lightness at most %.3f inside, at least %.3f outside\n", eye,
+                      lightest, darkest);
         assert_true(lightest + 0.1 < darkest);
     }
     free(values);

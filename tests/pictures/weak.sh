@@ -1,15 +1,15 @@
 #!/bin/bash
-# weak.sh - draws each chapter's picture with built-in functions whose errors are as large as Vulkan allows (weak.glsl).
-# It prints how far each picture is from its reference, but does not judge the difference, because no driver that we
-# know is nearly so inaccurate. With FUNCTIONS='sin cos', only these functions err; with CHAPTER=05, only that chapter
-# is drawn.
+# weak.sh - draws each chapter's picture with built-in functions whose errors go up to the largest that Vulkan allows
+# (weak.glsl). It prints how far each picture is from its reference, but does not judge the difference, because no
+# driver that we know is nearly so inaccurate. With FUNCTIONS='sin cos', only these functions err; with CHAPTER=05, only
+# that chapter is drawn.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 # shellcheck source=tests/lib/tap.sh
 . tests/lib/tap.sh
 open_scratch
 
-# A program reads the shaders in the folders beside the one that it is in.
+# A program finds the folders shaders/ and chapters/ beside the folder that contains the program.
 mkdir "$scratch/build"
 cp -r shaders chapters "$scratch/"
 functions=$(echo "${FUNCTIONS-[a-z0-9]+}" | tr ' ' '|')

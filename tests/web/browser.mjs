@@ -21,7 +21,7 @@ export function check(name, right, ...more) {
     if (!right) failed++;
     console.log(`${right ? 'ok' : 'not ok'} ${count} - ${name}`);
     if (!right && more.length > 0) console.log(`# ${more.map((x) => typeof x === 'string' ? x : JSON.stringify(x)).join(' ')}`);
-    if (!right && name.endsWith(process.env.WEB_UNTIL ?? '\n')) process.exit(1); // a mutation is detected, so the other checks can be skipped
+    if (!right && name.endsWith(process.env.WEB_UNTIL ?? '\n')) process.exit(1); // WEB_UNTIL names the check that detects a mutation; the other checks are then skipped
     return right;
 }
 
@@ -34,7 +34,8 @@ export function finish() {
 
 // ---- The server ----
 
-// The folders under test: the programs alone, and the site. Mutations are made in copies of these folders.
+// The folders under test: the programs alone, and the site. To test a copy of a folder, such as one with a mutation,
+// set WEB_FOLDER or SITE_FOLDER.
 export const WEB = process.env.WEB_FOLDER || 'build/web', SITE = process.env.SITE_FOLDER || 'build/site';
 
 // Serve a folder to this machine only; /test.html is a page with a canvas. Returns the server's address and a function
@@ -116,7 +117,7 @@ export async function blankPage(browser, {context = {}, before = () => {}} = {})
 }
 
 // Open a page with one program, window.program, which has not started a chapter yet. The lines that the program prints
-// are in window.lines, its pictures in window.pictures, and the numbers of WebGL calls in window.calls.
+// are in window.lines, its pictures in window.pictures, and the counts of WebGL calls in window.calls.
 export async function openPage(browser, at, options = {}) {
     const opened = await blankPage(browser, options);
     await opened.page.goto(`${at}/test.html`);
@@ -124,7 +125,8 @@ export async function openPage(browser, at, options = {}) {
     return opened;
 }
 
-// Draw a picture to a file, with the options of a line of tests/pictures/images.txt. Returns {status, picture, lines}.
+// Draw a picture with the options of a line of tests/pictures/images.txt. Returns {status, picture, lines}; picture is
+// undefined if none was drawn.
 export const draw = (page, stem, line) => page.evaluate(async ([stem, line]) => {
     window.lines.length = window.pictures.length = 0;
     const status = await window.program.start(stem, `${line} --output picture.png`);
@@ -172,8 +174,8 @@ export const frames = (page, count) => page.evaluate((count) => new Promise((don
     turn();
 }), count);
 
-// Wait until a paused program has drawn everything: until nothing is drawn for 45 frames, which is longer than the
-// pause before a picture is sharpened.
+// Wait until a paused program has drawn everything, or until time runs out. The program has drawn everything when
+// nothing is drawn for 45 frames, which is longer than the pause before a picture is sharpened.
 export const rest = (page) => page.evaluate((patience) => new Promise((done) => {
     const begun = performance.now();
     let still = 0, before = -1;

@@ -1,5 +1,6 @@
-// chapter.mjs - tests the live chapter in a page: before and after the click, the controls, a ray, the editor with its
-// drafts and links, commands beside the text, exercises, comparisons, print, accessibility and a phone.
+// chapter.mjs - tests the live chapter in a page that is made for this test: before and after the click, the controls,
+// a ray, the editor with its drafts and links, commands beside the text, exercises, comparisons, print, accessibility
+// and a phone.
 import {execFileSync, spawnSync} from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -19,7 +20,7 @@ ${command(PAIR[0], `data-other="${PAIR[1]}"`)}</main></html>`;
 
 const server = await serve(WEB), browser = await launch(), said = [], text = fs.readFileSync(FILE, 'utf8');
 
-// Open a separate page, and record its requests and its errors.
+// Open the test's page, in a new browser context unless one is given, and record the page's requests and errors.
 async function open(options = {}, fragment = '', context = null) {
     context ??= await browser.newContext({viewport: {width: 1280, height: 800}, permissions: ['clipboard-read', 'clipboard-write'], ...options});
     const page = await context.newPage(), asked = [];
@@ -59,17 +60,17 @@ async function run(page) {
 
 const {page, asked, context} = await open();
 await page.waitForSelector('.live-start');
-check('before the click, only the page and its poster are loaded, and nothing of the program', asked.sort().join() === 'live.css,live.html,live.js,poster.png', asked);
+check('before the click on Run, only the page and its poster are loaded, and nothing of the program', asked.sort().join() === 'live.css,live.html,live.js,poster.png', asked);
 // The test delays the script that runs the program until the chapter's text has been requested.
 const together = page.waitForRequest(`**/${STEM}.frag`, {timeout: PATIENCE / 3}).then(() => true, () => false);
 await page.route('**/stage.js', async (route) => { await together; await route.continue(); });
 const begun = Date.now();
 let now = await run(page);
-check('the click requests the chapter\'s text without waiting for the program', await together);
+check('a click on Run requests the chapter\'s text without waiting for the program', await together);
 await page.unroute('**/stage.js');
-console.log(`# from the click to the first picture and its rate ${Date.now() - begun} ms`);
-check('the click runs the chapter, with a picture in 16:9 that is more than 600 pixels wide', now.runs && now.size[0] > 600 && Math.abs(now.size[0] / now.size[1] - 16 / 9) < 0.02, now.size);
-check('the click loads no editor, solution or exercise', !asked.some((name) => /editor|exercises|solution|_\d\.frag/.test(name)), asked);
+console.log(`# from the click to the first picture and its frame rate: ${Date.now() - begun} ms`);
+check('a click on Run runs the chapter, with a picture in 16:9 that is more than 600 pixels wide', now.runs && now.size[0] > 600 && Math.abs(now.size[0] / now.size[1] - 16 / 9) < 0.02, now.size);
+check('a click on Run loads no editor, solution or exercise', !asked.some((name) => /editor|exercises|solution|_\d\.frag/.test(name)), asked);
 check('the page keeps the keyboard focus until the reader clicks the picture', await page.evaluate(() => document.activeElement === document.body));
 
 // ---- Controls ----
@@ -101,7 +102,7 @@ await page.locator('.live-time').fill('7.5');
 await page.locator('.live-time').press('Enter');
 check('the clock can be paused and set', (await state(page)).paused && (await state(page)).time === 7.5);
 await frames(page, 30);
-check('the paused clock does not continue', (await state(page)).time === 7.5);
+check('a paused clock does not advance', (await state(page)).time === 7.5);
 
 // ---- A ray ----
 
@@ -130,15 +131,15 @@ const words = () => page.locator('.live-error').textContent();
 const eye = (await state(page)).camera;
 await press(page, 'Edit');
 await page.waitForSelector('.cm-content');
-check('the editor shows the file', (await page.locator('.cm-content').textContent()).startsWith(text.split('\n')[0]));
-check('an included file has a tab', await page.getByRole('tab', {name: 'march.glsl'}).count() === 1);
+check('the editor shows the chapter\'s file', (await page.locator('.cm-content').textContent()).startsWith(text.split('\n')[0]));
+check('an included file has a tab in the editor', await page.getByRole('tab', {name: 'march.glsl'}).count() === 1);
 await page.locator('.cm-content').click();
 await page.keyboard.press('Control+End');
 await page.keyboard.type('float wasd() { return vec3(1.0); }');
 await page.waitForSelector('.live-error:not([hidden])');
 const line = text.split('\n').length;
 check('an error is reported with its line number', (await words()).includes(`${FILE}:${line}: error:`), await words());
-check('the line with the error is marked, and so is its tab', await page.locator('.cm-lint-marker-error').count() === 1 && await page.locator('.live-faulty').count() === 1);
+check('the line with the error and the tab of its file are marked', await page.locator('.cm-lint-marker-error').count() === 1 && await page.locator('.live-faulty').count() === 1);
 now = await state(page);
 check('the error is visible below the picture', await page.evaluate(() => { const box = document.querySelector('.live-error').getBoundingClientRect(); return box.height > 0 && box.top >= document.querySelector('.live-canvas').getBoundingClientRect().bottom - 1 && box.bottom <= innerHeight + 1; }));
 check('typing in the editor does not move the camera or change the view', now.camera.every((x, i) => x === eye[i]) && now.view === 'picture', eye, now.camera);
@@ -149,7 +150,7 @@ await page.reload();
 await page.waitForSelector('.live-start');
 await run(page);
 await page.waitForSelector('.live-error:not([hidden])');
-check('after a reload, there is still a broken edit, its error and a picture', (await words()).includes('error') && (await state(page)).runs);
+check('after a reload, the broken edit, its error and a picture are still there', (await words()).includes('error') && (await state(page)).runs);
 // A context that is lost while the edit is broken is restored in the same way.
 await lamp.locator('input[type=number]').fill('3.25');
 await lamp.locator('input[type=number]').press('Enter');
@@ -160,7 +161,7 @@ await page.evaluate(() => new Promise((found) => {
     taken.loseContext();
 }));
 now = await comes(page, 's.error !== "" && s.rate > 0');
-check('after a lost context, there is still a broken edit, its error, a picture and the parameters\' values', now.runs && now.error !== '' && await value(page, 'lampHeight') === 3.25, now.error);
+check('after a lost context, the broken edit, its error, a picture and the parameters\' values are still there', now.runs && now.error !== '' && await value(page, 'lampHeight') === 3.25, now.error);
 check('the page says which file contains the reader\'s changes', (await page.locator('.live-changes').textContent()).startsWith(`With your changes in ${FILE}.`));
 await press(page, 'Edit');
 await page.waitForSelector('.cm-content');
@@ -190,7 +191,7 @@ check('a broken link is reported, and the chapter still runs', (await torn.page.
 await torn.context.close();
 await press(page, 'Undo all');
 await page.waitForSelector('.live-changes', {state: 'hidden'});
-check('Undo all removes the edits from the address too', await page.evaluate(() => location.hash) === '');
+check('Undo all also removes the edits from the address', await page.evaluate(() => location.hash) === '');
 await press(page, 'Edit');
 
 // ---- Commands beside the text ----
@@ -289,8 +290,8 @@ await page.emulateMedia({media: 'screen'});
 // ---- A reader's own file ----
 
 const toy = 'void mainImage(out vec4 c, in vec2 p) { c = vec4(p / iResolution.xy, 0.5, 1.0); }\n';
-// On a busy machine, the browser may report late that the canvas is visible again. A ray that is selected before the
-// report stays selected.
+// On a busy machine, the browser may report late that the canvas is visible again. The test imitates such a report: a
+// ray that is selected before the report must stay selected.
 await page.waitForFunction(() => document.querySelector('.live-on').program.near);
 const seen = (near) => page.evaluate((near) => {
     const {program} = document.querySelector('.live-on');
@@ -298,7 +299,7 @@ const seen = (near) => page.evaluate((near) => {
     program.show();
 }, near);
 await seen(false);
-check('a page can run a text that is not a file of the course', await page.evaluate((toy) => document.querySelector('live-chapter').play('play.frag', toy), toy) === 0);
+check('a page can run a shader that is not a file of the course', await page.evaluate((toy) => document.querySelector('live-chapter').play('play.frag', toy), toy) === 0);
 await page.evaluate(() => document.querySelector('.live-on').stage.call('live_pixel', 5, 5));
 await seen(true);
 check('the program says why it shows no ray of a Shadertoy shader', (await comes(page, 's.why')).why.startsWith('no march'));
@@ -337,8 +338,8 @@ const touch = await phone.context.newCDPSession(phone.page);
 await touch.send('Input.dispatchTouchEvent', {type: 'touchStart', touchPoints: [{x: pad.x + pad.width / 2, y: pad.y + pad.height / 2}]});
 now = await comes(phone.page, 'Math.abs(s.camera[2] - v[2]) > 0.05', ...from);
 await touch.send('Input.dispatchTouchEvent', {type: 'touchEnd', touchPoints: []});
-check('holding a button of the pad moves the camera', Math.abs(now.camera[2] - from[2]) > 0.05, from, now.camera);
-check('the buttons of the pad are large enough for a thumb', pad.height >= 44 && pad.width >= 44, pad);
+check('holding a button of the movement pad moves the camera', Math.abs(now.camera[2] - from[2]) > 0.05, from, now.camera);
+check('the buttons of the movement pad are large enough for a thumb', pad.height >= 44 && pad.width >= 44, pad);
 await phone.page.locator('.live-canvas').tap({position: {x: 200, y: 130}});
 now = await comes(phone.page, 's.probe');
 check('a tap on the picture selects a ray', now.probe?.steps > 0);

@@ -1,5 +1,5 @@
-// dialects.mjs - tests the small shaders of tests/shaders/dialects.txt in a browser: each is drawn in the colour that
-// the programs draw, or is refused, as its heading says.
+// dialects.mjs - tests the small shaders of tests/shaders/dialects.txt in a browser: each must be drawn or refused,
+// with the colour or the message that its heading gives.
 import fs from 'node:fs';
 import {check, finish, launch, openPage, serve, WEB} from './browser.mjs';
 

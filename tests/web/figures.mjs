@@ -71,7 +71,7 @@ for (const name of names) {
     check(`${name}: at least two figures respond to the pointer`, count >= 2 && wrong.length === 0, count, wrong);
 }
 waits.sort((a, b) => a - b);
-if (waits.length > 0) console.log(`# time from the press to the new value: median ${waits[waits.length >> 1].toFixed(0)} ms, at most ${waits.at(-1).toFixed(0)} ms, of ${waits.length}; load average ${fs.readFileSync('/proc/loadavg', 'utf8').split(' ')[0]}`);
+if (waits.length > 0) console.log(`# time from the press to the new value in ${waits.length} drags: median ${waits[waits.length >> 1].toFixed(0)} ms, at most ${waits.at(-1).toFixed(0)} ms; load average ${fs.readFileSync('/proc/loadavg', 'utf8').split(' ')[0]}`);
 finish();
 await browser.close();
 server.close();

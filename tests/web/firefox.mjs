@@ -30,7 +30,7 @@ let now = await until(page, (s) => s.paused);
 check('Escape pauses the program', now.paused);
 await page.press('4');
 now = await until(page, (s) => s.view === 'steps');
-check('key 4 shows the view of the steps', now.view === 'steps');
+check('key 4 shows the steps view', now.view === 'steps');
 const eye = now.camera;
 await page.drag([100, 90], [160, 100]);
 now = await until(page, (s) => s.camera[3] !== eye[3]);

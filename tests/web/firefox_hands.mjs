@@ -5,8 +5,8 @@ import {Page} from './fox.mjs';
 
 const server = await serve(SITE);
 
-// Wait until a condition holds, or until time runs out. Returns the values of the parameters, the positions of the
-// figure's points on the screen, and how far the page is scrolled.
+// Wait until a condition is true, or until time runs out. Returns null if no figure runs; otherwise, the values of the
+// parameters, the positions of the figure's points on the screen, and how far the page is scrolled.
 async function comes(page, right) {
     for (const begun = Date.now(); ;) {
         const now = await page.evaluate(() => {

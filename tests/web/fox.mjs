@@ -1,4 +1,4 @@
-// fox.mjs - drives Debian's Firefox for the tests through WebDriver BiDi: a page, with the functions that browser.mjs
+// fox.mjs - drives Debian's Firefox for the tests through WebDriver BiDi. A Page has the functions that browser.mjs
 // needs. Firefox offers WebGL only if there is a display, so tests/run starts a virtual one. Playwright requires
 // features that this Firefox does not have yet, so the tests have their own driver.
 import {spawn} from 'node:child_process';
@@ -30,7 +30,7 @@ export class Page {
                 const match = /BiDi listening on (ws:\S+)/.exec(log);
                 if (match) found(match[1]);
             });
-            page.child.on('exit', (status) => lost(new Error(`Firefox ended with ${status}: ${log.slice(-500)}`)));
+            page.child.on('exit', (status) => lost(new Error(`Firefox exited with status ${status}: ${log.slice(-500)}`)));
         });
         page.socket = new WebSocket(`${at}/session`);
         await new Promise((opened, failed) => page.socket.on('open', opened).on('error', failed));

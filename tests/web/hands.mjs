@@ -103,7 +103,7 @@ for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
     check(`${name}: the keyboard can focus a point, and an arrow key moves it`, (await value(page, focused))[0] > stood[0], focused, stood);
     for (let i = 0; i < 2; i++) await page.keyboard.press('Enter'); // the ball is the last point, so Enter first selects none, and then the first point
     now = await comes(page, 's.handles.some((one) => one.focused && one.name !== v[0])', focused);
-    check(`${name}: Enter selects the next point`, ![undefined, focused].includes(now.handles.find((one) => one.focused)?.name));
+    check(`${name}: pressing Enter twice selects another point`, ![undefined, focused].includes(now.handles.find((one) => one.focused)?.name));
     check(`${name}: the page does not scroll sideways`, await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
     check(`${name}: the console reports no error`, said.length === 0, said);
     await page.close();
@@ -150,7 +150,7 @@ for (const [name, context] of [['mouse', DESK], ['finger', PHONE]]) {
     }
     check(`${name}: a drag over the clay adds clay`, await holds(page, async () => await shot() !== bare));
     await page.evaluate(() => [...document.querySelectorAll('button')].find((one) => one.textContent.trim() === 'Undo stroke' || one.title === 'Undo stroke' || one.ariaLabel === 'Undo stroke').click());
-    check(`${name}: the button undoes the stroke`, await holds(page, async () => await shot() === bare));
+    check(`${name}: the button Undo stroke restores the picture`, await holds(page, async () => await shot() === bare));
     check(`${name}: the console reports no error`, said.length === 0, said);
     await page.close();
 }
@@ -179,7 +179,7 @@ check('dragging a number to the right increases the value, in the sentence and i
 }), height, await code.textContent());
 await page.keyboard.press('ArrowLeft');
 now = await comes(page, 's.parameters.find((p) => p.name === "lampHeight").value[0] < v[0]', height);
-check('the arrow keys change the number too', (await value(page, 'lampHeight'))[0] < height && Number(await code.getAttribute('aria-valuenow')) < height);
+check('the arrow keys change a number in a sentence', (await value(page, 'lampHeight'))[0] < height && Number(await code.getAttribute('aria-valuenow')) < height);
 await page.evaluate(() => scrollTo({top: 4000, behavior: 'instant'}));
 await page.evaluate(() => document.querySelector('code.scrub').focus({preventScroll: true}));
 await page.keyboard.press('ArrowRight');
@@ -208,7 +208,7 @@ const second = page.locator('form.guess:not([data-kind])').first();
 await second.evaluate((form) => { let next = form; while (!next.matches('details')) next = next.nextElementSibling; next.id = 'second'; });
 await page.locator('#second summary').click();
 await page.locator('#second summary').click();
-check('an answer opens at the second click even without a guess', await page.locator('#second').evaluate((one) => one.open));
+check('an answer opens on the second click, even without a guess', await page.locator('#second').evaluate((one) => one.open));
 const question = page.locator('form.question').first();
 await question.getByRole('radio').first().check();
 check('a question says why an answer is wrong', /^The steps have no fixed size/.test(await question.locator('output').textContent()));
@@ -217,16 +217,17 @@ check('a question says that the right answer is right', await question.locator('
 check('the console reports no error', said.length === 0, said);
 await page.close();
 
-// In some questions, the guess is a point in a picture. The stripes of page 03 are on the near part of the stage.
+// In some questions, the guess is a point in a picture. On page 03, the question is where the stripes are; the answer
+// is the near part of the stage.
 ({page, said} = await open('03_shadows.html', PHONE));
 const pointed = page.locator('form.guess[data-kind=tap]').first(), tapped = pointed.locator('.tap'), area = await tapped.boundingBox();
 await tapped.tap({position: {x: 0.15 * area.width, y: 0.8 * area.height}});
 await pointed.getByRole('button', {name: 'Keep my guess'}).tap();
-check('if the tap misses the right area, the page says how far off it was', await page.getByText('Your guess: the mark. You were off by 20 %').isVisible());
+check('if the tap misses the correct area, the page says how far off it was', await page.getByText('Your guess: the mark. You were off by 20 %').isVisible());
 await tapped.focus();
 for (let i = 0; i < 12; i++) await page.keyboard.press('ArrowRight');
 await pointed.getByRole('button', {name: 'Keep my guess'}).tap();
-check('the arrow keys can move the mark to the right area', await page.getByText('Your guess: the mark. That is right.').isVisible());
+check('the arrow keys can move the mark to the correct area', await page.getByText('Your guess: the mark. That is right.').isVisible());
 check('the console reports no error', said.length === 0, said);
 await page.close();
 
@@ -243,7 +244,7 @@ await page.waitForFunction(() => document.querySelector('.live-slice').width > 0
 const [canvas, slice] = [await page.locator('.live-canvas').boundingBox(), await page.locator('.live-slice').boundingBox()];
 check('the slice of the ray opens below the picture', slice.y > canvas.y + canvas.height && slice.y < canvas.y + canvas.height + 80 && slice.width > 340, canvas, slice);
 const orange = await page.locator('.live-slice').evaluate((one) => [...one.getContext('2d').getImageData(one.width / 4, one.height / 4, 1, 1).data]);
-check('the slice of the ray is drawn, while the program stays in the view of the picture', orange[0] > orange[2] && (await state(page)).view === 'picture', orange);
+check('the slice of the ray is drawn, while the program stays in the picture view', orange[0] > orange[2] && (await state(page)).view === 'picture', orange);
 await page.getByRole('button', {name: 'Move', exact: true}).tap();
 check('Move shows the arrow buttons', await page.getByRole('button', {name: 'Move forwards'}).isVisible());
 check('the console reports no error', said.length === 0, said);
@@ -261,12 +262,12 @@ const hold = () => {
 check('the front page starts with a still picture in a small file', await page.evaluate(() => document.querySelector('img[data-film]').currentSrc.endsWith('21_a_landscape.webp')));
 await page.evaluate(() => window.passes());
 await page.waitForFunction(() => document.querySelector('img[data-film]').currentSrc.endsWith('day.webp'));
-check('the front page then shows a film of a day', true);
+check('the front page replaces the still picture with a film of a day', true);
 await page.locator('a.begin').click();
 await page.waitForSelector('.live-window.live-editing .cm-content');
-check('the button of the front page starts the program of a ball and opens its text', new URL(page.url()).pathname === '/play.html' && /sdSphere/.test(await page.locator('.cm-content').textContent()));
+check('the button on the front page starts the program of a ball and opens it in the editor', new URL(page.url()).pathname === '/play.html' && /sdSphere/.test(await page.locator('.cm-content').textContent()));
 const [left, right] = [await page.locator('.live-canvas').boundingBox(), await page.locator('.live-editor').boundingBox()];
-check('the text of the ball is beside its picture', right.x >= left.x + left.width, left, right);
+check('the editor is on the right of the picture', right.x >= left.x + left.width, left, right);
 check('the button that selects a file has the font of the page', await page.evaluate(() => getComputedStyle(document.querySelector('#file'), '::file-selector-button').fontFamily === getComputedStyle(document.body).fontFamily));
 check('the console reports no error', said.length === 0, said);
 await page.close();

@@ -1,8 +1,9 @@
 // look.mjs [PATTERN] - tests pages of the site in Chromium: axe-core finds no violations, in the light and the dark
-// theme; no page scrolls sideways on a phone 390 pixels wide; no part is wider than a printed page, and the answers are
-// at its end; there is no error in the console; no request fails or leaves the site, and none asks for the module, the
-// editor or the course's files before a click. One page is opened as a file. By default, the test looks at the front
-// page, the Play page and every third of the others; with ALL=1, at all of them; with PATTERN, at those that match.
+// theme; no page scrolls sideways on a phone 390 pixels wide; when a page is printed, no part is wider than the paper,
+// and the answers are at the end; there is no error in the console; no request fails or leaves the site, and none asks
+// for the module, the editor or the course's files before a click. One page is opened as a file. By default, the test
+// looks at the front page, the Play page and every third of the others; with ALL=1, at all of them; with PATTERN, at
+// those that match.
 import fs from 'node:fs';
 import {pathToFileURL} from 'node:url';
 import {blankPage, check, finish, launch, serve, SITE, whole} from './browser.mjs';
@@ -67,9 +68,9 @@ async function look(work) {
             if (document.documentElement.scrollWidth <= most) return [];
             return [document.documentElement.scrollWidth, ...[...document.body.querySelectorAll('*')].filter((one) => one.getBoundingClientRect().right > most + 1).slice(0, 4).map((one) => `${one.tagName}.${one.className}`)];
         });
-        check(`${name}: it does not scroll sideways at 390 pixels`, wide.length === 0, wide);
+        check(`${name}: the page does not scroll sideways at 390 pixels`, wide.length === 0, wide);
         const small = await page.evaluate(() => [...document.querySelectorAll('img[src$=".svg"]')].filter((one) => one.width < 640).map((one) => [one.src, one.width]));
-        check(`${name}: at 390 pixels, the letters of its diagrams, 13 of 760 units, are at least 10.9 pixels high`, small.length === 0, small);
+        check(`${name}: at 390 pixels, letters of 13 units in a diagram 760 units wide are at least 10.9 pixels high`, small.length === 0, small);
         const across = await page.evaluate(() => document.querySelector('main').getBoundingClientRect().width);
         check(`${name}: the text fills the width of the phone`, across >= 380, across);
         await page.setViewportSize({width: 1280, height: 900});
@@ -79,8 +80,8 @@ async function look(work) {
         const dark = await findings(page, ['color-contrast', 'link-in-text-block']);
         check(`${name}: axe-core finds no violations, in the light and the dark theme`, light.length + dark.length === 0, light, 'dark:', dark);
         const printed = await onPaper(page);
-        check(`${name}: in print, it is complete and in light colours, with the answers at the end`, printed.length === 0, printed);
-        check(`${name}: there is no error, and no request fails or leaves the site`, said.length === 0 && failed.length === 0 && asked.every((url) => url.startsWith(server.at)), said, failed, asked.filter((url) => !url.startsWith(server.at)));
+        check(`${name}: the printed page is complete and in light colours, with the answers at the end`, printed.length === 0, printed);
+        check(`${name}: the console reports no error, and no request fails or leaves the site`, said.length === 0 && failed.length === 0 && asked.every((url) => url.startsWith(server.at)), said, failed, asked.filter((url) => !url.startsWith(server.at)));
         check(`${name}: nothing is loaded that is needed only after a click`, !asked.some((url) => LATER.test(new URL(url).pathname.replace(/^\/source\//, ''))) || /^(index|play)\.html$/.test(name) && !asked.some((url) => /harness/.test(url)), asked.filter((url) => LATER.test(url)));
     }
 }

@@ -1,6 +1,6 @@
 // pages.mjs - tests the site's files without a browser: every page exists, no link is dead, every formula is converted,
-// no file comes from another site or is unused, every command has a button or a reason why not, and no page is too
-// large.
+// no file comes from another site or is unused, every command has a button or a reason for having none, and no page is
+// too large.
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -141,10 +141,10 @@ const weights = top.map((name) => {
 }).sort((a, b) => b.sent - a.sent);
 const fonts = [...files].filter((name) => name.endsWith('.woff2')).reduce((sum, name) => sum + fs.statSync(`${SITE}/${name}`).size, 0);
 const kilo = (bytes) => (bytes / 1000).toFixed(0);
-console.log(`# the heaviest pages, with script and style, compressed: ${weights.slice(0, 3).map((one) => `${one.name} ${kilo(one.sent)} KB`).join(', ')}; the fonts add ${kilo(fonts)} KB, once`);
+console.log(`# the heaviest pages, with scripts and styles, compressed: ${weights.slice(0, 3).map((one) => `${one.name} ${kilo(one.sent)} KB`).join(', ')}; the fonts add ${kilo(fonts)} KB, once`);
 const texts = [...weights].sort((a, b) => b.raw - a.raw);
 console.log(`# the largest pages without scripts and styles, uncompressed: ${texts.slice(0, 3).map((one) => `${one.name} ${kilo(one.raw)} KB`).join(', ')}`);
-check('no page has more than 150 KB of text, uncompressed', texts[0].raw <= 150e3, texts[0]);
+check('no page has more than 150 KB of HTML, uncompressed', texts[0].raw <= 150e3, texts[0]);
 check('no page has more than 150 KB with its scripts and styles, compressed', weights[0].sent <= 150e3, weights[0]);
 const module = ['harness.wasm', 'harness.js', 'program.js', 'stage.js', 'live.js', 'values.js', 'ray.js', 'course.json'].filter((name) => files.has(name));
 const sum = module.reduce((total, name) => total + weight(name), 0);

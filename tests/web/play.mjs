@@ -118,11 +118,11 @@ check('a draft can be deleted', await page.evaluate(() => !JSON.stringify({...lo
 check('there are ten templates to start from', await page.locator('.starter[data-file]').count() === 10);
 await page.getByRole('button', {name: 'Blank sheet'}).click();
 now = await until((s) => s.files?.[0]?.endsWith('/blank.frag') && s.rate > 0);
-check('Blank sheet starts a grey picture', now?.error === '' && near(await middle(), [128, 128, 128]), await middle());
+check('Blank sheet starts a picture that is grey in the middle', now?.error === '' && near(await middle(), [128, 128, 128]), await middle());
 await page.waitForFunction(() => document.querySelector('.draft[aria-current=true] img'));
 await page.locator('.cm-content').click();
 await page.keyboard.press('Control+Home');
-// The test leaves the page when the text has been stored but the program has not read it yet.
+// The test imitates a reader who leaves the page when the text has been stored but the program has not read it yet.
 await page.evaluate(() => {
     const store = Storage.prototype.setItem;
     Storage.prototype.setItem = function (name, value) {

@@ -9,7 +9,7 @@ const {page, said} = await openPage(browser, server.at);
 const canvas = page.locator('#canvas');
 const parameter = (now, name) => now.parameters.find((p) => p.name === name).value;
 
-// The mean of the canvas's colour bytes, and its size, from the browser's screenshot.
+// The mean of the colour bytes in a screenshot of the canvas, and the width and height of the screenshot.
 async function shown(of = page) {
     const png = await of.locator('#canvas').screenshot();
     return of.evaluate(async (data) => {
@@ -45,7 +45,7 @@ for (const [stem, place] of [['01_normal_colouring', '340,140'], ['03_shadows', 
     await start(page, stem, `--probe ${place}`);
     const here = probe((await page.evaluate(() => window.lines)).join('\n'));
     const there = probe(execFileSync(`build/${stem}`, ['--probe', place], {encoding: 'utf8', env: {...process.env, LIBGL_ALWAYS_SOFTWARE: '1'}}));
-    check(`${stem}: the table of a ray has the same lines and columns as in the native program`, here.length === there.length && here.every((line, i) => line.length === there[i].length), here.at(-1), there.at(-1));
+    check(`${stem}: the table of a ray has as many lines and columns as in the native program`, here.length === there.length && here.every((line, i) => line.length === there[i].length), here.at(-1), there.at(-1));
     there.forEach((line, i) => line.forEach((word, k) => {
         const [a, b] = [Number(here[i]?.[k]), Number(word)];
         if (Number.isNaN(b)) return;
@@ -53,14 +53,14 @@ for (const [stem, place] of [['01_normal_colouring', '340,140'], ['03_shadows', 
         worst = Math.max(worst, Math.abs(a - b) / Math.max(1, Math.abs(b)));
     }));
 }
-console.log(`# ${compared} numbers of --probe: the largest difference, relative to the number or to 1, is ${worst.toExponential(1)}`);
-check('the numbers of --probe are those of the native program', compared > 200 && worst < 5e-6, worst);
+console.log(`# ${compared} numbers of --probe: the largest difference, relative to the number or to 1, whichever is larger, is ${worst.toExponential(1)}`);
+check('the numbers of --probe agree with those of the native program', compared > 200 && worst < 5e-6, worst);
 
 // ---- The window ----
 
 check('a chapter starts', await start(page, '03_shadows') === 0);
 let now = await state(page);
-check('the program takes the size of the canvas', now.size[0] === 320 && now.size[1] === 180, now.size);
+check('the program draws at the size of the canvas', now.size[0] === 320 && now.size[1] === 180, now.size);
 check('the picture is not black', (await shown()).mean > 20, await shown());
 const attributes = await page.evaluate(() => document.getElementById('canvas').getContext('webgl2').getContextAttributes());
 check('the canvas has no antialiasing, no alpha channel and no depth buffer', !attributes.antialias && !attributes.alpha && !attributes.depth, attributes);
@@ -69,9 +69,9 @@ await canvas.focus();
 await page.keyboard.press('Escape');
 check('Escape pauses the program', (await until(page, (s) => s.paused)).paused);
 await page.keyboard.press('Digit4');
-check('key 4 shows the view of the steps', (await until(page, (s) => s.view === 'steps')).view === 'steps');
+check('key 4 shows the steps view', (await until(page, (s) => s.view === 'steps')).view === 'steps');
 await page.keyboard.press('Digit1');
-check('key 1 shows the view of the picture', (await until(page, (s) => s.view === 'picture')).view === 'picture');
+check('key 1 shows the picture view', (await until(page, (s) => s.view === 'picture')).view === 'picture');
 
 const eye = (await state(page)).camera;
 await page.keyboard.down('KeyW');
@@ -171,8 +171,8 @@ check('a value that the page sets is clamped to the range of its parameter', lam
 
 // ---- WebGL's pitfalls ----
 
-// Only the overlay is drawn again, over a copy of the stored picture, because by then the browser has cleared the
-// canvas.
+// When the overlay of a paused picture is hidden or shown, the program draws only the overlay again, over a copy of the
+// stored picture, because the browser has already cleared the canvas.
 await page.evaluate(() => window.program.call('live_pause', 1));
 await rest(page);
 const whole = (await shown()).mean;
@@ -245,8 +245,8 @@ const kept = await state(page), keptMean = (await shown()).mean;
 await take();
 check('a lost context is reported', await page.evaluate(() => window.program.lost));
 now = await giveBack();
-check('a restored picture has the same values, camera and time', now.runs && parameter(now, 'lampHeight')[0] === 2 && now.time === kept.time && now.camera.every((x, i) => x === kept.camera[i]), now.error);
-check('a restored picture looks the same', Math.abs((await shown()).mean - keptMean) < 1, keptMean, await shown());
+check('after a lost context, the picture has the same values, camera and time', now.runs && parameter(now, 'lampHeight')[0] === 2 && now.time === kept.time && now.camera.every((x, i) => x === kept.camera[i]), now.error);
+check('after a lost context, the picture looks the same', Math.abs((await shown()).mean - keptMean) < 1, keptMean, await shown());
 
 // Compare two pictures, with the divider dragged to the left.
 await start(page, '00_first_scene', '--time 1 --shader chapters/experiments/00_factor.frag --compare --set factor=1.5');
@@ -262,8 +262,8 @@ await rest(page);
 const both = await state(page), bothMean = (await shown()).mean;
 await take();
 now = await giveBack();
-check('both pictures of a comparison are restored with their values', JSON.stringify(now.parameters) === JSON.stringify(both.parameters) && parameter(now, 'factor (right)')[0] === 0.3, now.parameters, now.error);
-check('the divider of a comparison is restored', Math.abs((await shown()).mean - bothMean) < 0.1, bothMean, await shown());
+check('after a lost context, both pictures of a comparison have the same values', JSON.stringify(now.parameters) === JSON.stringify(both.parameters) && parameter(now, 'factor (right)')[0] === 0.3, now.parameters, now.error);
+check('after a lost context, the divider of a comparison is in the same place', Math.abs((await shown()).mean - bothMean) < 0.1, bothMean, await shown());
 
 // ---- Files from other sources ----
 
@@ -299,15 +299,15 @@ const poor = await openPage(browser, server.at, {before: () => {
 await start(poor.page, '03_shadows');
 now = await state(poor.page);
 const forms = await poor.page.evaluate(() => window.forms);
-check('without EXT_float_blend, targets have half floats, and the state says so', now.halves && forms.includes(0x881A) && !forms.includes(0x8814), now.halves, forms);
+check('without EXT_float_blend, render targets use half floats, and the state says so', now.halves && forms.includes(0x881A) && !forms.includes(0x8814), now.halves, forms);
 check('without EXT_float_blend, the picture is not black', (await shown(poor.page)).mean > 20);
-check('with EXT_float_blend, targets have floats', !kept.halves);
+check('with EXT_float_blend, render targets use floats', !kept.halves);
 
 const none = await openPage(browser, server.at, {before: () => {
     const own = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function (kind, ...values) { return kind === 'webgl2' ? null : own.call(this, kind, ...values); };
 }});
-check('without WebGL 2, a chapter does not start, with status 3', await start(none.page, '03_shadows') === 3);
+check('without WebGL 2, starting a chapter fails with status 3', await start(none.page, '03_shadows') === 3);
 check('without WebGL 2, a line says why a chapter does not start', (await none.page.evaluate(() => window.lines.join('\n'))).includes('this browser has no WebGL 2'));
 
 // ---- A driver that compiles on separate threads ----
@@ -332,7 +332,7 @@ await frames(apart.page, 60);
 check('a second change starts to compile while the first is compiling', (await state(apart.page)).compiles);
 await apart.page.evaluate(() => { window.compiled = true; });
 now = await until(apart.page, (s) => !s.compiles);
-check('the errors reported are those of the second change', /03_shadows\.frag:\d+: error/.test(now.error), now.error);
+check('if a second change replaces one that is still compiling, the reported errors are those of the second', /03_shadows\.frag:\d+: error/.test(now.error), now.error);
 await apart.page.close();
 
 // ---- A slow driver ----

@@ -25,8 +25,8 @@ for (let round = 0; round < 3; round++) {
     there += own() / 3000;
 }
 const ratio = here / there;
-console.log(`# a frame of 03_shadows, 640x360: ${(1000 * here).toFixed(1)} ms of processor time in the browser, ${(1000 * there).toFixed(1)} ms in the native program: ${ratio.toFixed(2)} times as much`);
-check('a frame takes at most 1.5 times as long as in the native program', ratio <= 1.5, ratio);
+console.log(`# a frame of 03_shadows, 640x360: ${(1000 * here).toFixed(1)} ms of processor time in the browser, ${(1000 * there).toFixed(1)} ms in the native program; ratio ${ratio.toFixed(2)}`);
+check('a frame takes at most 1.5 times as much processor time as in the native program', ratio <= 1.5, ratio);
 
 // ---- The first picture ----
 
@@ -44,7 +44,7 @@ for (let i = 0; i < 5; i++) {
     await fresh.page.close();
 }
 waits.sort((a, b) => a - b);
-console.log(`# from a click to the first picture of 03_shadows: ${waits.map((x) => x.toFixed(0)).join(', ')} ms (at most 500); load average ${fs.readFileSync('/proc/loadavg', 'utf8').split(' ')[0]}`);
+console.log(`# from a click to the first picture of 03_shadows: ${waits.map((x) => x.toFixed(0)).join(', ')} ms (target: at most 500, not judged); load average ${fs.readFileSync('/proc/loadavg', 'utf8').split(' ')[0]}`);
 check('the first picture is drawn', waits.every((x) => x > 0));
 
 finish();

@@ -16,7 +16,7 @@ const renderer = await (await page.waitForFunction(() => {
     const context = document.createElement('canvas').getContext('webgl2');
     return context?.getParameter(context.getExtension('WEBGL_debug_renderer_info').UNMASKED_RENDERER_WEBGL);
 })).jsonValue();
-check('SwiftShader draws', /SwiftShader/.test(renderer), renderer);
+check('the renderer is SwiftShader', /SwiftShader/.test(renderer), renderer);
 
 // The largest error of each of four functions in a fragment shader, at 4096 points, relative to the value or to 1,
 // whichever is larger.

@@ -9,7 +9,7 @@ const archives = ['one', 'two'].map((name) => {
     fs.rmSync(`${FOLDER}/${name}`, {recursive: true, force: true});
     fs.mkdirSync(site, {recursive: true});
     const made = spawnSync('.make/site.sh', {encoding: 'utf8', env: {...process.env, SITE_FOLDER: site}});
-    check(`the site is built, ${name}`, made.status === 0, made.stderr);
+    check(`build ${name} of the site succeeds`, made.status === 0, made.stderr);
     return {site, zip: `${site}.zip`};
 });
 const names = (folder) => fs.readdirSync(folder, {recursive: true}).filter((name) => fs.statSync(`${folder}/${name}`).isFile()).sort();

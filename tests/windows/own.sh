@@ -1,6 +1,6 @@
 #!/bin/bash
-# own.sh - tests peculiarities of Windows: names outside any code page, a file that another program has open, line ends,
-# capital letters and the console. It is called by run.sh.
+# own.sh - tests peculiarities of Windows: names outside any code page, a file that another program has open, line
+# endings, capital letters and the console. It is called by run.sh.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -45,7 +45,8 @@ backslashes() {
 }
 check "paths in Windows' notation are accepted" backslashes
 
-# Copy the programs as they are distributed, and the shaders with Windows' line ends, as git or an editor writes them.
+# Copy a program and its libraries, as they are distributed, and the shaders with Windows' line endings, as git or an
+# editor writes them.
 mkdir "$strange/course"
 cp build/windows/03_shadows.exe build/windows/*.dll "$strange/course" 2>/dev/null
 cp -R shaders "$strange/course" && mkdir "$strange/course/chapters" && cp chapters/*.frag chapters/*.glsl "$strange/course/chapters"
@@ -53,15 +54,15 @@ find "$strange/course" -name '*.frag' -o -name '*.glsl' -o -name '*.vert' | whil
     awk '{ printf "%s\r\n", $0 }' "$file" >"$scratch/lines" && cp "$scratch/lines" "$file"
 done
 elsewhere() { "$loader" "$strange/course/03_shadows.exe" "${small[@]}" -o "$strange/d.png" && alike "$strange/d.png"; }
-check "a course with Windows' line ends works in a folder outside any code page" elsewhere
+check "a course with Windows' line endings works in a folder outside any code page" elsewhere
 
 printf '#include "Main.glsl"\n' >"$scratch/letters.frag"
-check 'an include with other capitals is refused' refused 'letters.frag:1: #include "Main.glsl": the name on disk is main.glsl' \
+check 'an include that differs from the name on disk in capital letters is refused' refused 'letters.frag:1: #include "Main.glsl": the name on disk is main.glsl' \
     picture -f "$scratch/letters.frag" -o "$scratch/letters.png"
 
 # ---- A file that another program has open ----
 
-# held FILE REDIRECTION COMMAND...: run a command while a Windows program has the file open.
+# held FILE REDIRECTION COMMAND...: runs a command while a Windows program has the file open.
 held() {
     local file=$1 how=$2 holder status
     shift 2
@@ -94,8 +95,9 @@ check 'a picture that another program is writing is unchanged, and no temporary 
 
 check 'an error message is one line' refused 'unknown option' picture --nothing
 bytes() { picture --list && [ -s "$scratch/said" ] && ! grep -q $'\r' "$scratch/said" "$scratch/why"; }
-check 'output has the same line ends as on other systems' bytes
-# The text takes several writes. The first of them fails, but the reason is requested only after the others.
+check 'output has the same line endings as on other systems' bytes
+# The program writes this text in several parts. Once head has read its line and ended, writing fails, but the program
+# asks for the reason only after the last part.
 first_line() {
     for _ in 1 2 3; do
         "$BUILD/03_shadows" --print-shader 2>"$scratch/why" | head -n 1 >"$scratch/said"

@@ -2,10 +2,10 @@
 # run.sh [PART...|NAME...] - `make test-windows`: runs the tests that were built for Windows, and tests the programs
 # that were built for Windows, with Wine on a virtual display and the software renderer. PART is units, pictures, suites
 # or windows; NAME is any single suite, such as own or zip. By default, it tests the chapters' own pictures, the
-# failures and the peculiarities of Windows; with ALL=1, it runs all suites. The suites are those of `make test`. They
-# find scripts in build/wine/ that pass their arguments on to the programs for Windows, whose only backend is GLFW.
-# tests/run runs the suites and adds up their time, without that of Wine's server and Xvfb; a test that is skipped must
-# be listed in tests/lib/skipped.txt.
+# failures and the peculiarities of Windows; with ALL=1, it runs all suites. Apart from own and zip, the suites are the
+# same as on other systems. They find scripts in build/wine/ that pass their arguments on to the programs for Windows,
+# whose only backend is GLFW. tests/run runs the suites and adds up their time, without that of Wine's server and Xvfb;
+# a test that is skipped must be listed in tests/lib/skipped.txt.
 set -u
 # Wine needs a certain range of addresses. If the kernel randomises addresses, one start in several thousand finds its
 # heap in this range and fails, so this script turns the randomisation off, if that is allowed.
@@ -32,8 +32,8 @@ end_wine() { wineserver -k 2>/dev/null; wineserver -w; }
 
 # ---- One suite, as tests/run calls it ----
 
-# Wine's desktop belongs to one display, so a suite that opens another display cannot share a running Wine. It gets a
-# copy of Wine's folder and a separate Wine.
+# Wine's desktop belongs to one display, so a suite that opens another display cannot share a running Wine. Such a suite
+# gets a copy of Wine's folder and a separate Wine.
 own_wine() { # NAME
     local copy=$WINEPREFIX-$1
     # The option -P is needed, because a drive in the folder is a link to the whole disk.
@@ -89,8 +89,8 @@ for program in build/windows/[0-9]*.exe build/windows/tests/draw.exe build/windo
 done
 cp build/windows/flags build/wine/flags
 "$loader" wineboot -i >/dev/null 2>&1
-# Disable gamepads, because their library leaves a thread running after GLFW closes it. This takes the registry, because
-# programs that are started by a batch file ignore WINEDLLOVERRIDES.
+# Disable the libraries for gamepads, because they leave a thread running after GLFW closes them. The registry is used
+# because programs that are started by a batch file ignore WINEDLLOVERRIDES.
 cat >build/wine/overrides.reg <<'END_OF_REGISTRY'
 REGEDIT4
 
@@ -105,7 +105,7 @@ END_OF_REGISTRY
 end_wine
 wineserver -p 2>/dev/null # the server keeps running between two programs
 
-# Print the names of a part's suites, the longest first. Starting a program under Wine is mostly waiting.
+# Print the names of a part's suites, the slowest first, so that tests/run, which runs several at once, ends sooner.
 units() { for file in build/windows/tests/*/*.exe; do basename "$file" .exe; done; }
 named() { # PART|NAME
     case $1 in

@@ -39,7 +39,7 @@ asks() {
     local file
     for file in "$course"/*.exe "$course"/*.dll; do
         x86_64-w64-mingw32-objdump -p "$file" | sed -n 's/.*DLL Name: //p' >"$scratch/asked"
-        grep -q . "$scratch/asked" || { echo "# $file: needs no library"; return 1; }
+        grep -q . "$scratch/asked" || { echo "# $file: objdump lists no library"; return 1; }
         ! grep -vE "$known" "$scratch/asked" | sed "s|^|# ${file##*/} needs |" | grep . || return 1
     done
 }
@@ -99,8 +99,8 @@ check "a page's command and a comparison work in a terminal" in_terminal || sed 
 
 # ---- An exercise ----
 
-# checks STATUS PATTERN WORD...: run check.bat, and check its status and output. It is not started with call, because
-# then Wine's cmd ends only with status 0 or 1.
+# checks STATUS PATTERN WORD...: run check.bat, and check its status and output. The command 'call' is not used, because
+# with it, Wine's cmd ends only with status 0 or 1.
 checks() {
     local wanted=$1 pattern=$2 status
     shift 2
@@ -142,7 +142,7 @@ check 'check.bat prints its usage if no file is named' without_file
 
 searched() { window=$(wmctrl -l | grep -E -e "$1" | cut -d ' ' -f 1) && [ -n "$window" ]; }
 play() { # NAME [FILE]: run play.bat, and wait for a window with this name in its title and for its picture
-    title="$1 - ([0-9]+ fps - )?picture" # the rate is shown only if it has been measured
+    title="$1 - ([0-9]+ fps - )?picture" # the frame rate is shown only if it has been measured
     shift
     rm -f "$scratch/said"
     (cd "$folder" && exec env LD_PRELOAD="$at_once" "$loader" cmd /c call "$(windows_path "$course/play.bat")" "$@" </dev/null >"$scratch/said" 2>&1) &
@@ -167,7 +167,7 @@ closes() {
 ends() { eventually closes && wait "$program"; }
 check 'play.bat ends with status 0' ends
 cp chapters/first_steps/play.frag "$mine"
-check 'play.bat shows a file of any name' play 'ma réponse.frag' "$(windows_path "$mine")"
+check 'play.bat shows a file whose name has a blank and an accent' play 'ma réponse.frag' "$(windows_path "$mine")"
 build/01_normal_colouring --shader chapters/first_steps/play.frag -s 960x540 -o "$scratch/right.png" >/dev/null
 sed 's/sdSphere(p, radius)/sdSphere(p, radios)/' chapters/first_steps/play.frag >"$mine"
 says_error() { eventually has_words 'réponse.frag:[0-9]*: error.*radios' && eventually searched 'réponse.frag - error: see terminal'; }
@@ -175,6 +175,6 @@ check 'play.bat reports an error in a saved file' says_error
 cp chapters/first_steps/play.frag "$mine"
 # Beside the panel, the sharpened picture equals the one that this machine draws.
 mended() { eventually has_words 'réponse.frag: reloaded' && eventually searched "$title" && eventually part_shown right 300x280+330+120; }
-check 'play.bat shows the next version of the file, which compiles' mended
+check 'play.bat shows the file again after its error is corrected' mended
 check 'play.bat ends with status 0 again' ends
 plan
