@@ -78,7 +78,7 @@ static void reset(struct window *window)
     window_parameter_changed(window);
 }
 
-// Go to the ray's first step; without a ray, reset the parameter.
+// Go to the first step of the selected ray. If there is none, reset the selected parameter.
 static void go_first(struct window *window)
 {
     if (!window_step_to(window, false))
@@ -98,7 +98,7 @@ static void hide(struct window *window)
 }
 
 // True if Page Down or Page Up steps along the ray instead of changing the scene: the scene began
-// with a step of the ray, and there is another step in this direction.
+// at a step of the ray, and the next step is neither before that step nor after the ray's last.
 static bool goes_on(const struct window *window, int by)
 {
     int first = window->start->shown, to = (int)window->inputs.shown + by;
@@ -161,7 +161,7 @@ static const struct {
     {NULL, window_step, GLFW_KEY_E, 1, 1, true},
     {NULL, window_step, GLFW_KEY_Q, -1, -1, true},
     {NULL, change_scene, GLFW_KEY_N, 1, -1, false},
-    // A presenter's remote control has these two keys.
+    // Page Down and Page Up are the keys of a presenter's remote control.
     {NULL, turn_page, GLFW_KEY_PAGE_DOWN, 1, 1, false},
     {NULL, turn_page, GLFW_KEY_PAGE_UP, -1, -1, false},
     {NULL, step_by_page, GLFW_KEY_PAGE_DOWN, 1, 1, true},
@@ -234,8 +234,8 @@ static void act(struct window *window, struct window_event *event)
     }
 }
 
-// The events are handled in order: after Shift+R has reset the camera, a later drag in the same
-// iteration turns the camera again.
+// The events are handled in order, so a drag that follows Shift+R in the same iteration turns the
+// camera that Shift+R has reset.
 void window_act(struct window *window)
 {
     struct window_input *input = &window->input;

@@ -37,7 +37,7 @@ bool window_picker_claims(struct window *window, const struct window_event *pres
         return window->input.picker_open;
     const struct panel_row *row = panel_rows_at(&window->panel.rows, unit[0], unit[1]);
     bool own = row != NULL && row->selected && panel_row_is_swatch(row, unit[0]);
-    if (own && press->kind == EVENT_DOUBLE_PRESS) // the first press has just opened the picker
+    if (own && press->kind == EVENT_DOUBLE_PRESS) // the first click has just opened the picker
         return false;
     window_picker_close(window);
     return row == NULL || own;

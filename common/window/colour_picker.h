@@ -12,7 +12,8 @@ void window_picker_close(struct window *window);
 bool window_picker_covers(const struct window *window, const float unit[2]);
 
 // True if a press belongs to the open picker. A press outside the picker closes the picker, and has
-// no other effect unless it is on a row of the panel and not on the colour's own swatch.
+// no other effect unless it is on a row of the panel and not on the colour's own swatch. But the
+// second press of a double click on that swatch leaves the picker open.
 bool window_picker_claims(struct window *window, const struct window_event *press);
 
 // Handle a press on the picker and the drag that follows it.

@@ -45,7 +45,8 @@ void window_retitle(struct window *window)
     memcpy(window->title.shown, text, sizeof text);
 }
 
-// True if the program of a view uses the time. The linker keeps only the uniforms in use.
+// True if the program of a view, in either picture of a comparison, uses the time or another input
+// that changes with time. The linker keeps only the uniforms in use.
 static bool program_uses_time(const struct renderer *renderer, enum shader_view view)
 {
     GLuint program = renderer->program[view];
@@ -69,7 +70,7 @@ bool window_uses_time(const struct window *window)
 static void fill_overlay(struct window *window)
 {
     const struct renderer_inputs *inputs = &window->inputs;
-    // A phone's picture is small although it has many pixels.
+    // A phone shows many pixels on a small screen, so the scale also depends on the pixel density.
     float own = fmaxf(overlay_scale_of(inputs->height),
                       fminf(window->density, (float)OVERLAY_SCALE_MAXIMUM));
     double scale = window->start->overlay_scale;
@@ -258,7 +259,7 @@ static void update_rate(struct window *window, double now)
     window->panel.figures[1] = 1000.0 * window->pace.seconds;
 }
 
-// Set Shadertoy's iDate to the local time.
+// Set Shadertoy's iDate to the local date and time.
 static void update_date(struct renderer_inputs *inputs)
 {
     struct tm day = {0};

@@ -15,7 +15,7 @@ bool window_uses_time(const struct window *window);
 bool window_sharpens(const struct window *window, double now);
 
 // Draw a frame with its overlay: the picture if it is stale, otherwise some rows of the sharp
-// picture if that is due.
+// picture if sharpening is due.
 //   now  the current time, from glfwGetTime
 // Returns false after reporting the error.
 bool window_draw(struct window *window, double now);

@@ -66,8 +66,8 @@ static void assign(struct window *window)
              strlen(why) > known ? why + known : why);
 }
 
-// A comma counts as a decimal point, as on a French keyboard, unless it separates the numbers of a
-// vector. On a French keyboard, digits need Shift, as a message explains.
+// A comma counts as a decimal point, as in French, unless it separates the numbers of a vector. On
+// a French keyboard, digits need Shift, as a message explains.
 static void type_character(struct window *window, int code)
 {
     const struct parameter *parameter = window_selected(window);
@@ -75,7 +75,7 @@ static void type_character(struct window *window, int code)
     size_t length = window->grab.fresh ? 0 : strlen(window->grab.typed);
     if (code >= 127 || strchr("0123456789.,-+eE", code) == NULL) {
         snprintf(window->grab.refused, sizeof window->grab.refused,
-                 "a number has digits, a point and a minus; hold Shift for digits on a French "
+                 "type digits, a point, a sign or an e; hold Shift for digits on a French "
                  "keyboard");
     } else if (length < 40) {
         window->grab.typed[length] = code == ',' && one ? '.' : (char)code;

@@ -1,5 +1,5 @@
-// handle.h - handles: points in the picture that the pointer drags, and that the arrow keys move
-// once one is focused.
+// handle.h - handles: points in the picture that the pointer drags. The arrow keys move the focused
+// handle.
 #ifndef WINDOW_HANDLE_H
 #define WINDOW_HANDLE_H
 

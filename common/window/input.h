@@ -14,11 +14,11 @@ enum window_event_kind {
     EVENT_TYPED,        // amount: a character's code, or a code such as INPUT_ENTER
     EVENT_PRESS,        // amount: 0 for the left button, 1 for the right one
     EVENT_DOUBLE_PRESS, // the second press of a double click
-    EVENT_RELEASE, // amount: 1 for a click; 0 if a drag has ended or the window has lost the focus
+    EVENT_RELEASE,      // amount: 1 for a click; 0 after a drag, a change of focus or the key M
     // From here on, consecutive events of the same kind are merged, and their movements added up.
     EVENT_WHEEL, // movement: notches, positive away from the user
     EVENT_LOOK,  // movement: of the captured pointer, in window units to the right and down
-    EVENT_MOVE,  // movement: seconds to the right, up and forwards, multiplied while moving faster
+    EVENT_MOVE,  // movement: seconds to the right, up and forwards, times 4 while moving faster
     EVENT_DRAG,  // movement: of the pointer while a button is held, as for EVENT_LOOK
     EVENT_HOVER  // the pointer has moved, or left the window, without dragging anything
 };
@@ -31,10 +31,12 @@ struct window_event {
     int amount;
     bool shifted, repeated;
     double movement[3];
-    double position[2]; // of the pointer, in window units from the top left; -1,-1 if it is outside
+    // Position of the pointer, in window units from the top left; -1,-1 if the pointer is outside
+    // the window or captured.
+    double position[2];
     // The same position in other units, which pointer.c adds:
     double pixel[2]; // in pixels of the picture from its bottom left
-    float unit[2];   // in units of the overlay from the top left; negative if there is no overlay
+    float unit[2];   // in units of the overlay from the top left; negative if unknown
 };
 
 // Keys that act as long as they are held.
@@ -47,7 +49,7 @@ enum window_held_key {
     HELD_FORWARD,
     HELD_BACK,
     HELD_FASTER,
-    HELD_FASTER_F, // because Windows opens a dialog after five presses of Shift
+    HELD_FASTER_F, // an alternative, because Windows opens a dialog after five presses of Shift
     HELD_KEYS
 };
 

@@ -54,9 +54,9 @@ static const struct {
 };
 _Static_assert(sizeof entries / sizeof *entries <= WINDOW_KEYS, "no room for all keys");
 
-// Add the label, on the user's keyboard, of a key that is named as on an American keyboard: é for
-// the key 2 of a French keyboard. A punctuation mark on a letter key is quoted, because a comma is
-// easily missed.
+// Add the label, on the user's keyboard, of a key that is named as on an American keyboard: on a
+// French keyboard, the label of key 2 is é. A punctuation mark on a letter key is quoted, because a
+// comma is easily missed.
 static void add_label(const struct window *window, char key, char *text, size_t size)
 {
     const char american[] = {key, '\0'};

@@ -4,8 +4,8 @@
 
 #include "window/state.h"
 
-// List the keys with the labels of the user's keyboard, and set the hint that names the keys for
-// showing more and for hiding the overlay.
+// List the keys with the labels of the user's keyboard, and set the hint, which names the key that
+// lists more or fewer keys and the key that hides the overlay.
 void window_list_keys(struct window *window);
 
 #endif

@@ -177,7 +177,7 @@ void window_panel_input(struct window *window, const struct window_event *event)
     } else if (event->kind == EVENT_RELEASE && event->amount == 1) {
         click(window);
     }
-    if (event->kind != EVENT_HOVER) // after a hover, a drag may still begin at the press
+    if (event->kind != EVENT_HOVER) // a drag begins at the press, even after a hover
         memcpy(window->grab.at, event->unit, sizeof event->unit);
 }
 

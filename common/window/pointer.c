@@ -1,6 +1,7 @@
-// The first part that claims a press owns the pointer until the release, in this order: an open
-// colour picker, the panel, the table of a march, a handle, the divider of a comparison, a stroke
-// of the chapter's tool, and the picture, where a drag looks around and a click selects a ray.
+// A press is offered to the parts of the window in this order: an open colour picker, the panel,
+// the table of a march, a handle, the divider of a comparison, a stroke of the chapter's tool, and
+// the picture, where a drag looks around and a click selects a ray. The first part that claims the
+// press owns the pointer until the release.
 #include "window/pointer.h"
 
 #include <math.h>
@@ -62,8 +63,8 @@ static void picture_input(struct window *window, const struct window_event *even
 }
 
 // Update Shadertoy's iMouse for this frame: xy is the last position with the button down, zw that
-// of the press; z is positive while the button is down, and w in the one frame of the press. If the
-// shader reads iMouse, a change causes a frame to be drawn.
+// of the press; z is positive while the button is down, and w only in the frame of the press. If
+// the shader reads iMouse, a change causes a frame to be drawn.
 static void update_mouse(struct window *window)
 {
     const struct renderer *renderer = window->renderer;

@@ -8,8 +8,8 @@
 // the panel.
 bool window_pointer_input(struct window *window, struct window_event *event);
 
-// Update what depends on the pointer. Call this once per iteration of the main loop, after the
-// events.
+// Update everything that depends on the pointer. Call this once per iteration of the main loop,
+// after the events.
 void window_pointer_rest(struct window *window);
 
 #endif

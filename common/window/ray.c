@@ -128,7 +128,7 @@ void window_follow_ray(struct window *window)
     if (renderer_at(window->renderer, inputs->width, inputs->pixel[0])->fragment.dialect !=
         DIALECT_COURSE) {
         snprintf(window->ray.why, sizeof window->ray.why,
-                 "no march: a shader with its own main keeps no trace of its rays");
+                 "no march: only shaders in the course's dialect record their rays");
     } else if (!renderer_probe(window->renderer, inputs, pixel[0], pixel[1], window->ray.probe)) {
         snprintf(window->ray.why, sizeof window->ray.why, "%s", report_last());
     } else if (window->ray.print) {

@@ -19,8 +19,8 @@ void window_click_ray(struct window *window, const double pixel[2]);
 //   width, height  the new size, in pixels
 void window_resize_ray(struct window *window, int width, int height);
 
-// Step along the selected ray. If no ray is selected and the shader keeps a trace, select the ray
-// of the middle pixel first.
+// Step along the selected ray. If no ray is selected and the shader records its rays, select the
+// ray of the middle pixel first.
 //   by  number of steps forwards; negative for backwards
 void window_step(struct window *window, int by);
 

@@ -7,8 +7,9 @@
 //     T(k) = a + c N / 2^(k/2), plus E for enlarging if k > 0;   a, c, E >= 0.
 //
 // Only T - E per pixel of recent frames is known, and predictions assume a = 0. If a frame is
-// predicted to take longer than RESOLUTION_SLOW, the finest level that does not is chosen; if a
-// finer level is predicted to take less than RESOLUTION_QUICK, that level is chosen.
+// predicted to take longer than RESOLUTION_SLOW, the finest level at which it would not is chosen.
+// If a frame at a finer level is predicted to take less than RESOLUTION_QUICK, that level is
+// chosen.
 //
 // The choice settles. Let E = 0; a larger E only lowers both limits. The prediction for a finer
 // level is never too short: 2^(1/2) T(k) >= T(k - 1). So after a step to the finer level k - 1 the

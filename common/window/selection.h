@@ -12,8 +12,9 @@ struct parameter *window_selected(const struct window *window);
 // Select a parameter.
 void window_select(struct window *window, const struct parameter *parameter);
 
-// Return the parameter that the last press on the panel grabbed, or NULL if the shader no longer
-// has it. The grabbed components are those from *first up to, but not including, *behind.
+// Return the selected parameter, and the range of its components that the last press on the panel
+// grabbed: from *first up to, but not including, *behind. Returns NULL if the shader has no such
+// component.
 struct parameter *window_grabbed(const struct window *window, int *first, int *behind);
 
 // Call this after the value of a parameter has changed.

@@ -17,7 +17,7 @@ struct window_start {
     bool paused;             // the time is stopped until Escape is pressed
     int samples;             // samples along each side of a pixel
     struct strokes *strokes; // strokes from the command line; the pointer adds more; not owned
-    double overlay_scale;    // 0 to derive the scale from the picture's height
+    double overlay_scale;    // 0 to derive the scale from the picture's height and pixel density
     bool overlay_kept;       // screenshots show the overlay too
     int shown; // number of steps of the middle ray to show, which selects the ray; 0 for no ray
     const char *selected; // "NAME=VALUE", the parameter that is selected; NULL for the first one

@@ -72,8 +72,8 @@ struct window {
     int opening;   // steps of the middle ray to show once the window is visible
     bool shooting; // a screenshot waits for the sharp picture, while the time is stopped
     struct {
-        bool on;       // Tab was pressed, and the orthographic parameter is changing
-        double target; // the value that the parameter will reach
+        bool on;       // Tab was pressed, and the projection is changing
+        double target; // the value of orthographic at the end of the transition
     } transition;
     struct {
         char shown[300];
@@ -115,7 +115,8 @@ struct window {
         char error[4096];        // the error that the panel shows; "" if there is none
         struct panel_key keys[WINDOW_KEYS];
         int key_count;
-        char hint[64]; // names the keys for showing more and for hiding the overlay
+        char hint[64]; // names the key that lists more or fewer keys, and the key that hides the
+                       // overlay
     } panel;
     struct {
         int scenes, part; // scenes and part of a lecture, as window_asked returns them
@@ -124,7 +125,7 @@ struct window {
     struct {
         enum panel_grab what;
         int button;         // button of the last press: 0 left, 1 right
-        int part;           // the component of the selected parameter; -1 for all
+        int part;           // the grabbed component of the selected parameter; -1 for all
         double fraction[4]; // position of each component in its range, as dragged
         float width;        // width of the grabbed row, in units of the overlay
         char typed[128];    // the typed text while input.typing is set
@@ -146,11 +147,11 @@ struct window {
         int count;
         int focused;                 // index of the focused handle; -1 if there is none
         bool moving;                 // the focused handle moves to target
-        double offset[2], target[2]; // offset from pointer to handle; target position; pixels
+        double offset[2], target[2]; // offset from pointer to handle, and target, in pixels
     } handles;
     // The selected ray.
     struct {
-        struct renderer_eye eye; // the ray's camera, which stays fixed while the view changes
+        struct renderer_eye eye; // the ray's camera, fixed while the picture's camera moves
         double position[2];      // of the ray's pixel from the centre, in half picture heights
         struct probe *probe;     // owned
         bool follow;             // the ray must be marched again

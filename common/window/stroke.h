@@ -4,8 +4,7 @@
 
 #include "window/state.h"
 
-// True if the chapter has a tool, its parameter is not 0, and the view is not the slice or the
-// plot.
+// True if the chapter has a tool whose amount is not 0, and the view is not the slice or the plot.
 bool window_has_tool(const struct window *window);
 
 // True if a press begins a stroke, because the tool finds something to work on there.

@@ -22,7 +22,7 @@
 // A little less than 1/60 s, so that the refresh rate of the display sets the pace.
 #define FRAME_SECONDS   0.0163
 #define WATCH_SECONDS   0.1  // between two checks of the shader's files
-#define TRANSITION_STEP 0.1  // maximum seconds; even a slow machine shows intermediate steps
+#define TRANSITION_STEP 0.1  // maximum seconds; slow machines must show intermediate steps too
 #define TITLE_SECONDS   0.25 // between two changes of the title bar
 #define DIGITS          8.0f // minimum height of a figure's digits, in CSS pixels
 #define SHOWN_SECONDS   2.0  // for which a moving picture is shown before other work may disturb it

@@ -23,12 +23,12 @@ says() {
     fi
 }
 shown() { [ -s build/compare.png ]; }
-says 1 '[0-9.]* % of the pixels differ by more than 2 of 255, at most by [0-9]*, most around [0-9]*,[0-9]*: see build/compare.png' one other
+says 1 '[0-9.]* % of the pixels differ by more than 2 of 255, by at most [0-9]*, most around [0-9]*,[0-9]*: see build/compare.png' one other
 check 'two different pictures are reported' [ $? = 0 ]
 check 'the difference between two pictures is shown in a picture' shown
 check 'two equal pictures are reported as the same' says 0 'the pictures are the same: no pixel differs' one same
 check 'an earlier picture of a difference is removed' eval '! shown'
-check 'a rounding error is not a difference' says 0 'the pictures are the same: no pixel differs by more than 2 of 255, at most by 1' one hair
+check 'a rounding error is not a difference' says 0 'the pictures are the same: no pixel differs by more than 2 of 255; the largest difference is 1' one hair
 check 'a small difference over a whole region counts' says 1 'no pixel differs by more than [12] of 255, but a whole region differs a little, most around .*: see build/compare.png' one shifted
 check 'two pictures of different sizes are refused' says 2 'make: pictures of different sizes cannot be compared: 128x72 and 64x36' one small
 check 'a text file is refused' says 2 "make: .*text.png: cannot be read: Not a PNG file: save it again as a PNG" one text

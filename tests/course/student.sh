@@ -69,7 +69,7 @@ judged() { # EXERCISE FILE WORDS STATUS
 }
 right=chapters/solutions/00_first_scene_2.frag
 { cat $right; echo '#define MINE'; } >"$scratch/mine.frag"
-check 'a right answer is accepted' judged 00_2 "$scratch/mine.frag" ': right: as the solution in 2 pictures' 0
+check 'a right answer is accepted' judged 00_2 "$scratch/mine.frag" ': right: matches the solution in 2 pictures' 0
 check 'the published solution is recognised' judged 00_2 "$root/$right" ': right: the published solution; as the solution' 0
 echo '#include "solutions/00_first_scene_2.frag"' >"$scratch/includes.frag"
 check 'an answer that includes the published solution is recognised too, although the solution cannot be found' judged 00_2 "$scratch/includes.frag" ': wrong: the published solution; does not run' 1
@@ -81,7 +81,7 @@ check 'an exercise that is not stored is refused' judged 00_3 "$scratch/mine.fra
 if [ -x build/first_steps/engine_6 ]; then
     patch -s -o "$scratch/engine.c" chapters/first_steps/engine_6.c chapters/solutions/engine_1.diff
     echo 'int own;' >>"$scratch/engine.c"
-    check 'a right program is accepted' judged engine_1 "$scratch/engine.c" ': right: as the solution in 2 pictures' 0
+    check 'a right program is accepted' judged engine_1 "$scratch/engine.c" ': right: matches the solution in 2 pictures' 0
     check 'the unchanged program is refused' judged engine_1 chapters/first_steps/engine_6.c ': wrong: ' 1
 fi
 plan

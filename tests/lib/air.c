@@ -302,7 +302,7 @@ static void follow(double view, double azimuth, const double sun[3], double albe
             turned(v, cosine_by(air, dust, state), state);
         }
         if (share <
-            0.1) { // Russian roulette: most dim paths end, and the others get a larger share
+            0.1) { // Russian roulette: a dim path may end; if it does not, its share is raised
             if (share <= 0.0 || chance(state) > share / 0.1)
                 return;
             share = 0.1;

@@ -29,12 +29,12 @@ void air_ambient_of(double sun, double light[3]);
 //   count   number of paths
 struct air_paths {
     double once, more; // scattered once by the air; scattered more than once or by the ground
-    double error;      // standard deviation of more
+    double error;      // standard deviation of the estimate `more`
 };
 struct air_paths air_paths(double sun, double view, double azimuth, double albedo, int wave,
                            int count);
 
-// Convert a colour in the tables' unit to cd/m^2, and to the CIE 1931 chromaticity x, y.
+// Convert a colour in the tables' unit to luminance in cd/m^2, and to CIE 1931 chromaticity x, y.
 double air_luminance(const double light[3]);
 void air_chromaticity(const double light[3], double xy[2]);
 

@@ -68,7 +68,7 @@ static double steepest(const struct samples *samples)
     double most = 0.0;
     for (int i = 0; i + 1 < samples->count; i++) {
         const struct cover_sample *s = &samples->item[i];
-        // Where a step is this short, rounding dominates the slope.
+        // Between samples that are closer than this, rounding dominates the slope.
         if (s[1].t - s[0].t > 1e-6)
             most = fmax(most, fabs(s[1].d - s[0].d) / (s[1].t - s[0].t));
     }

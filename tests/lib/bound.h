@@ -1,5 +1,6 @@
 // bound.h - compares the marches of a chapter with the fewest evaluations that would be enough. The
-// marches come from probes on the GPU, the bound from the scene in double precision.
+// marches come from probes on the GPU; bounds on the fewest evaluations are computed from the scene
+// in double precision.
 #ifndef TESTS_BOUND_H
 #define TESTS_BOUND_H
 
@@ -16,17 +17,18 @@ struct bound_case {
 extern const struct bound_case bound_cases[];
 extern const int bound_case_count;
 
-// Sums over rays.
+// Sums and extremes over rays.
 struct bound_sums {
-    int rays, march;      // the number of rays, and the evaluations of their marches
-    int least, most;      // bounds on the fewest evaluations that would be enough
-    int shader;           // the fewest evaluations, as computed by shaders/cover.glsl
-    int astray;           // rays for which the shader's count is outside the bounds
-    int below;            // rays whose march takes fewer evaluations than the lower bound
-    double smallest;      // the smallest ratio, for one ray, of the march to the lower bound
-    double lipschitz;     // the largest change of the distance between samples, per scene unit
-    int given_up, differ; // rays that ran out of steps; rays whose drawn step count differs from
-                          // that of the probe
+    int rays, march;  // the number of rays, and the evaluations of their marches
+    int least, most;  // bounds on the fewest evaluations that would be enough
+    int shader;       // the fewest evaluations, as computed by shaders/cover.glsl
+    int astray;       // rays for which the shader's count is outside the bounds
+    int below;        // rays whose march takes fewer evaluations than the lower bound
+    double smallest;  // the smallest ratio of a march's evaluations to the lower bound
+    double lipschitz; // the largest change of the scene's distance from one sample of a ray to the
+                      // next, per scene unit
+    int given_up, differ; // rays that ran out of steps; rays whose step count in the picture
+                          // differs from the probe's
 };
 
 // Follow the rays of the chapter's first picture, 640x360, that shaders/cover.glsl selects.

@@ -31,10 +31,10 @@ bool checkers_rectangle(const struct checkers_view *view, int x, int y, double l
 double checkers_of_grid(const double low[2], const double high[2], int side);
 
 // The share of even squares from 64 x 64 samples at better positions: one in each cell of a 64 x 64
-// grid, and no two with a coordinate in common, so an edge parallel to an axis is off by at most 1
-// / 8192. The position of a sample in its cell is the bit reversal of the index along the other
-// axis. The samples in each half, quarter and so on of a row of cells are therefore evenly spread,
-// and the error at a corner of squares is only slightly larger.
+// grid, and no two with a coordinate in common, so an edge parallel to an axis is off by at most
+// 1/8192. The position of a sample in its cell along one axis is the bit reversal of the cell's
+// index along the other axis. The samples in each half, quarter and so on of a row of cells are
+// therefore evenly spread, and the error at a corner of squares is only slightly larger.
 double checkers_of_samples(const double low[2], const double high[2]);
 
 // The share of even squares from 64 x 64 samples of the pixel itself, not of its rectangle. No two

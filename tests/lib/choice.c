@@ -1,5 +1,5 @@
-// The environment variable ONE_TEST selects the tests of a program to run, for example
-// a_ray_has_length_1. A '*' in its value matches any characters.
+// The environment variable ONE_TEST selects which tests of a program run. Its value is the name of
+// a test, for example a_ray_has_length_1, in which a '*' matches any characters.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -9,7 +9,7 @@
 
 enum { COARSE_BALLS = 4 };
 
-// The inputs of tests/shaders/coarse.frag.
+// The inputs of tests/shaders/coarse.frag, except `moved`.
 struct coarse_scene {
     struct d3 ball[COARSE_BALLS], wire[2];
     double radius[COARSE_BALLS], wire_radius;
@@ -57,7 +57,7 @@ enum { COARSE_WIDE = 200, COARSE_HIGH = 120 }; // the size of the picture for co
 
 // A wire across the picture of a camera that is 7 units in front of the origin. The wire is half a
 // pixel wide. Some balls are so close to the wire that cones only just pass them. One ball is
-// behind the wire, and is seen wherever the wire is missed.
+// behind the middle of the wire, and is seen there if the wire is missed.
 //   growth  growth of the threshold along the ray, in half pixels
 //   lean    slope of the wire
 struct coarse_scene coarse_wire(double growth, double lean);

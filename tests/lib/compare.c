@@ -125,7 +125,7 @@ const char *image_difference_words(const struct image_difference *difference, ch
         snprintf(part, sizeof part, "%.*g", share < 1.0 ? 2 : 3, share);
     if (share > 0.0)
         snprintf(words, 256,
-                 "%s %% of the pixels differ by more than 2 of 255, at most by %d, most around "
+                 "%s %% of the pixels differ by more than 2 of 255, by at most %d, most around "
                  "%d,%d",
                  part, largest, x, y);
     else if (!image_same(difference))
@@ -136,8 +136,8 @@ const char *image_difference_words(const struct image_difference *difference, ch
                  largest, x, y);
     else if (largest > 0)
         snprintf(words, 256,
-                 "the pictures are the same: no pixel differs by more than 2 of 255, at most by "
-                 "%d",
+                 "the pictures are the same: no pixel differs by more than 2 of 255; the largest "
+                 "difference is %d",
                  largest);
     else
         snprintf(words, 256, "the pictures are the same: no pixel differs");

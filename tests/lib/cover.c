@@ -53,9 +53,9 @@ int cover_plane_march(double height, double slope, double far, double threshold,
     return steps;
 }
 
-// Let c be the end of the covered part, and e = d + slope (t - c) the distance there. The best
-// position is where t - d = c: there d = e / (1 + slope), and at the next end of the covered part
-// the distance is e (1 - slope) / (1 + slope).
+// Let c be the end of the covered part and e the distance there. The distance at t is then
+// d = e - slope (t - c). The best position is where t - d = c: there d = e / (1 + slope), and at
+// the next end of the covered part the distance is e (1 - slope) / (1 + slope).
 int cover_plane_least(double height, double slope, double far, double threshold)
 {
     bool hit;

@@ -36,11 +36,11 @@ struct cover_count cover_of(const struct cover_sample *sample, int count, bool h
 // The number of evaluations of a march from t = 0 until d is below threshold, or t is at least far.
 int cover_plane_march(double height, double slope, double far, double threshold, bool *hit);
 
-// The smallest number of evaluations that give the same answer as this march.
+// The smallest number of evaluations that give the same answer as the march of cover_plane_march.
 int cover_plane_least(double height, double slope, double far, double threshold);
 
-// The limit of the ratio of these two counts is ln((1 - slope) / (1 + slope)) / ln(1 - slope); for
-// slope 0 it is 2.
+// The limit of cover_plane_march / cover_plane_least as both counts grow:
+// ln((1 - slope) / (1 + slope)) / ln(1 - slope), or 2 for slope 0.
 double cover_plane_ratio(double slope);
 
 // The same two counts for a ray that passes a ball of radius 1 at a distance of 1 + gap from its

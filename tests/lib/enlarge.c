@@ -102,8 +102,8 @@ static double cpu_time(void)
     return platform_processor_seconds();
 }
 
-// Measure the processor time of the report's annex scene and of each filter, alternating between
-// them. Each time is the shortest of several frames, in seconds.
+// Measure the processor time of tests/pictures/reference_scene.frag, which is the unit, and of each
+// filter, alternating between them. Each time is the shortest of several frames, in seconds.
 static bool time_filters(double *unit, double least[ENLARGE_FILTERS])
 {
     const struct gl *gl = &gpu.context.gl;
@@ -142,7 +142,7 @@ int enlarge_print(void)
     double unit = 0.0, least[ENLARGE_FILTERS] = {0};
     printf("# pictures of a lower resolution, enlarged to 640x360 and compared with full pictures: "
            "the share of pixels that differ by more than 2 of 255, the error of the means of 8x8 "
-           "blocks and the root mean square error, both of 255\n");
+           "blocks and the root mean square error, where white is 255\n");
     printf("shader,divisor,filter,F2 %%,B8,rms\n");
     for (int scene = 0; scene < ENLARGE_SCENES; scene++)
         for (size_t i = 0; i < sizeof divisors / sizeof *divisors; i++) {
@@ -155,8 +155,8 @@ int enlarge_print(void)
         }
     if (!time_filters(&unit, least))
         return 1;
-    printf("# CPU time for enlarging 320x180 to 640x360; 1 unit is the time of the report's annex "
-           "scene\n");
+    printf("# CPU time for enlarging 320x180 to 640x360; 1 unit is the time of "
+           "tests/pictures/reference_scene.frag\n");
     printf("filter,units\n");
     for (int filter = 0; filter < ENLARGE_FILTERS; filter++)
         printf("%s,%.3f\n", enlarge_name((enum enlarge_filter)filter), least[filter] / unit);

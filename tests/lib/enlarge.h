@@ -30,8 +30,8 @@ float *enlarge_numbers(enum enlarge_filter filter, const struct target *from, in
 float *enlarge_numbers_with(struct enlarge *enlarge, enum enlarge_filter filter,
                             const struct target *from, int width, int height);
 
-// Draw the scene at full resolution and at 1/divisor of each side, and compare the enlarged
-// pictures with the full one.
+// Draw the scene at full resolution and with each side divided by divisor, enlarge the small
+// picture with each filter, and compare the enlarged pictures with the full one.
 //   error  receives the error of each filter
 void enlarge_measure(const struct enlarge_scene *scene, double divisor,
                      struct enlarge_error error[ENLARGE_FILTERS]);

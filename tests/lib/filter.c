@@ -48,7 +48,7 @@ static double mean_of(enum filter_way way, int side, int x, int y)
     bool jittered = way == FILTER_BOX_JITTERED || way == FILTER_TENT_JITTERED ||
                     way == FILTER_GAUSSIAN_JITTERED;
     double shift = way == FILTER_WORKSHOP ? 0.5 - 0.5 / side : 0.0;
-    double regular[TRUTH] = {0.0}; // the same in each row and each column
+    double regular[TRUTH] = {0.0}; // offsets that are the same in each row and column
     for (int i = 0; i < side; i++)
         regular[i] = offset_of(way, (i + 0.5) / side);
     double sum = 0.0;

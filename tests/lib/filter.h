@@ -1,5 +1,6 @@
 // filter.h - how far the mean of a pixel's samples is from the mean of 256 samples, for the filters
-// of shaders/filter.glsl and the workshop's grid, in a picture of slanting edges and fine lines.
+// of shaders/filter.glsl and the grid of Electric Square's workshop, in a picture of slanting edges
+// and fine lines.
 #ifndef TESTS_FILTER_H
 #define TESTS_FILTER_H
 

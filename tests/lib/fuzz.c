@@ -43,7 +43,7 @@ static void promise_report(bool done)
                 "a refused input causes a one-line message");
 }
 
-// Copy bytes into a string, where zero bytes become blanks. The caller frees the string.
+// Copy bytes into a string, in which zero bytes become spaces. The caller frees the string.
 static char *string_of(const uint8_t *bytes, size_t size)
 {
     char *text = malloc(size + 1);
@@ -70,7 +70,7 @@ static const char *const names[] = {MAIN,
                                     LOG};
 #define NAMES (sizeof names / sizeof *names)
 
-// Returns the name in a line "=== NAME", or NULL if the line is not of this form or the name is
+// Return the name in a line "=== NAME", or NULL if the line is not of this form or the name is
 // unknown.
 static const char *begins(const uint8_t *line, size_t length)
 {
@@ -185,7 +185,7 @@ void fuzz_include(const uint8_t *bytes, size_t size)
         shader_free(&source);
     }
     promise(source.text == NULL && source.files == NULL && source.lines == NULL,
-            "nothing is kept of a source that is refused or freed");
+            "nothing remains of a source that is refused or freed");
 }
 
 // ---- Parameters ----
@@ -253,7 +253,7 @@ void fuzz_parameter(const uint8_t *bytes, size_t size)
     char *assignment = string_of(bytes, first);
     char *text = string_of(bytes + first, size - first);
     if (access(scratch_path("text"), F_OK) != 0)
-        scratch_write("text", ""); // for samplers, although no picture is read here
+        scratch_write("text", ""); // the file that samplers name; it is not read here
     struct shader_source source = source_of(text);
     struct parameters parameters;
     capture_begin();
@@ -359,8 +359,10 @@ static void promise_options(const struct options *o, int argc)
     promise(o->samples >= 1 && o->samples <= OPTIONS_SAMPLES_LIMIT,
             "the samples are in their range");
     promise(fabs(o->time) <= 1e9, "the time is in its range");
-    promise(o->setting_count >= 0 && o->setting_count < argc, "settings come from arguments");
-    promise(o->texture_count >= 0 && o->texture_count < argc, "textures come from arguments");
+    promise(o->setting_count >= 0 && o->setting_count < argc,
+            "there are fewer settings than arguments");
+    promise(o->texture_count >= 0 && o->texture_count < argc,
+            "there are fewer textures than arguments");
     for (int i = 0; i < 4; i++)
         promise(o->channels[i] == NULL || o->channels[i][0] != '\0', "a channel names a file");
     promise(o->view < SHADER_VIEW_COUNT, "the view can be selected");
@@ -400,6 +402,6 @@ void fuzz_options(const uint8_t *bytes, size_t size)
         promise_options(&options, count);
         options_free(&options);
     }
-    promise(options.settings == NULL, "nothing is kept of a command line that is refused or freed");
+    promise(options.settings == NULL, "nothing remains of a command line that is refused or freed");
     free(text);
 }

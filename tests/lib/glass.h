@@ -44,8 +44,8 @@ void glass_wave_colour(double wavelength, double colour[3]);
 //   mirrored  the number of reflections inside the drop
 double glass_drop_turn(double offset, double index, int mirrored);
 
-// The light that chapter 17's picture, 640x360, lacks in a white world, for a given number of
-// surfaces.
+// The light that chapter 17's picture, 640x360, lacks in a white world if each ray may meet at most
+// a given number of surfaces.
 struct glass_rest {
     double pixels; // share of the pixels of glass that lack more than 1/255
     double mean;   // missing light, averaged over the pixels of glass

@@ -6,7 +6,7 @@ static struct d3 halfway(struct d3 to_light, struct d3 to_eye)
     return d3_unit(d3_add(to_light, to_eye));
 }
 
-// GGX in its published form: D G / (4 cos cos), with G from Smith's function Lambda.
+// GGX in its published form: D G / (4 (N.L) (N.V)), with G from Smith's function Lambda.
 static double density(double cosine, double alpha)
 {
     double c2 = cosine * cosine, tangent2 = (1.0 - c2) / c2, a2 = alpha * alpha;

@@ -21,7 +21,7 @@ double gloss_exponent(double roughness);
 // The direction to an eye whose angle to the normal has this cosine.
 struct d3 gloss_eye(double cosine);
 
-// The directional albedo: the light that a surface sends to the eye under a sky of 1 everywhere. By
+// The directional albedo: the light that a surface sends to the eye under a sky of radiance 1. By
 // reciprocity, it is also the share of the light from the eye's direction that the surface sends
 // back. It is summed over 384 x 384 half vectors, which are distributed like a highlight of this
 // roughness.

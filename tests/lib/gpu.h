@@ -1,4 +1,4 @@
-// gpu.h - a context and a renderer for tests: draw a shader and read its numbers.
+// gpu.h - a context and a renderer for tests, which draw shaders and read back their numbers.
 #ifndef TESTS_GPU_H
 #define TESTS_GPU_H
 
@@ -15,7 +15,7 @@ extern struct gpu {
     char called[4096]; // the shader that gpu_call loaded; "" if another was loaded since
 } gpu;
 
-// The project's folder: the environment variable PROJECT_ROOT or, if it is not set, ".".
+// The project's folder: the environment variable PROJECT_ROOT or, if it is unset or empty, ".".
 const char *gpu_project_root(void);
 
 // Open a context without a window, and a renderer in it. Returns false after reporting the error.
@@ -48,8 +48,8 @@ void gpu_set(const char *name, double value);
 // reporting the error.
 bool gpu_load_text(const char *text);
 
-// The first lines of a text for gpu_load_text that needs only a colour: a parallel view of the
-// plane z = 0.
+// The first lines of a text for gpu_load_text, to which only rayColour has to be added: a parallel
+// view of the plane z = 0.
 #define GPU_COURSE                                                                                 \
     "#include \"main.glsl\"\n"                                                                     \
     "Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0)); }\n"         \
@@ -64,7 +64,7 @@ float *gpu_numbers(const struct renderer_inputs *inputs);
 
 // Load a shader, unless the last call loaded the same shader, call one of its functions with four
 // numbers, and read the target like gpu_numbers. Fails the test if that is impossible.
-//   function  the function's number, passed as the shader's Time
+//   function  the function's index, passed as the shader's Time
 //   numbers   the arguments, passed as the shader's iMouse
 float *gpu_call(const char *shader, int width, int height, int function, const float numbers[4]);
 

@@ -73,7 +73,7 @@ struct march {
     bool recorded;
     double t;           // t of the last step
     char end[160];      // the last line of --probe without the "# "
-    size_t outcome, at; // length of the end up to the first ';', and up to the first of ' ' ':' ';'
+    size_t outcome, at; // length of end up to the first ';', and up to the first ' ', ':' or ';'
 };
 
 // Read the next march that --probe printed. Returns the rest of the text, or NULL if there is no
@@ -132,9 +132,8 @@ const char *judge_rays(const char *with, const char *pixels, const char *right, 
             return refuse(with, "no ray is recorded: include main.glsl, as the chapter does");
         int length = (int)strcspn(pixels, " ");
         if (!ends_alike(&b, &a) && count++ == 0)
-            snprintf(first, sizeof first,
-                     "pixel %.*s: '%.*s' at t %g, the solution's '%.*s' at t %g", length, pixels,
-                     (int)b.outcome, b.end, b.t, (int)a.outcome, a.end, a.t);
+            snprintf(first, sizeof first, "pixel %.*s: '%.*s' at t %g instead of '%.*s' at t %g",
+                     length, pixels, (int)b.outcome, b.end, b.t, (int)a.outcome, a.end, a.t);
         pixels += length;
         pixels += strspn(pixels, " ");
         rays++;
@@ -143,8 +142,8 @@ const char *judge_rays(const char *with, const char *pixels, const char *right, 
                                           "five", "six", "seven", "eight", "nine"};
     if (count < 2)
         return "";
-    snprintf(why, sizeof why, "%s, and %d more of %s", first, count - 1,
-             rays < 10 ? numbers[rays] : "all");
+    snprintf(why, sizeof why, "%s, and %d more of the %s rays", first, count - 1,
+             rays < 10 ? numbers[rays] : "compared");
     return refuse(with, why);
 }
 
@@ -166,7 +165,7 @@ const char *judge_right(int pictures, double share)
     if (share >= 0.5e-6)
         snprintf(most, sizeof most, "at most %.4f %% of the pixels differ", 100.0 * share);
     snprintf(judge.text, sizeof judge.text,
-             "as the solution in %d picture%s: %s by more than 2 of 255", pictures,
+             "matches the solution in %d picture%s: %s by more than 2 of 255", pictures,
              pictures == 1 ? "" : "s", most);
     return judge.text;
 }

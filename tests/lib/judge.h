@@ -1,10 +1,10 @@
 // judge.h - judges a reader's answer to an exercise, with the numbers and words that `make check`
-// and a page share. Returned texts are valid until the next call.
+// and the web pages share. Returned texts are valid until the next call.
 #ifndef TESTS_JUDGE_H
 #define TESTS_JUDGE_H
 
 // Compare the answer's picture with the solution's.
-//   with          the picture's options, as the page spells them; "" if there are none
+//   with          the picture's options, as the exercise spells them; "" if there are none
 //   width, height the size of both pictures
 //   right, mine   the two pictures: 3 bytes per pixel, row 0 at the top
 //   shown         receives the picture of image_difference_picture; may be NULL

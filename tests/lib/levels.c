@@ -9,7 +9,7 @@
 
 enum { SIDE = LEVELS_SIDE, POINTS = 32 };
 
-// The linear light of the picture, bottom row first.
+// The linear light of granite.png, bottom row first.
 static double light[SIDE][SIDE][3];
 
 bool levels_open(void)

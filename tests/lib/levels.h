@@ -9,17 +9,17 @@
 
 enum { LEVELS_SIDE = 512 }; // side of granite.png, texels
 
-// How the shader reads the texture: with given sides along u and v, at a level, or with the
-// footprint of a ray that meets a floor (footprintOn of shaders/texture.glsl).
+// How tests/shaders/levels.frag reads the texture: with given sides along u and v, at a level, or
+// with the footprint of a ray that meets a floor (footprintOn of shaders/texture.glsl).
 enum levels_reading { LEVELS_SIDES, LEVELS_LEVEL, LEVELS_FLOOR };
 
-// Read the texture's picture and load the shader. Call this after gpu_open. Returns false after
-// reporting the error.
+// Read granite.png and load tests/shaders/levels.frag. Call this after gpu_open. Returns false
+// after reporting the error.
 bool levels_open(void);
 
 // The values that the shader reads at 1024 points.
-//   x, y    the two sides of the footprint in texels (for a floor, the ray's width for both), or
-//           the level
+//   x, y    the two sides of the footprint in texels. For a floor, x is the ray's width in texels;
+//           for a level, x is the level; y has no effect on either
 //   factor  multiplies the footprint in the shader; 0 makes it almost 0
 //   sine    the sine of the angle between the ray and the floor
 // Returns 4 floats per point, which the caller frees. Fails the test, or ends the program, if the

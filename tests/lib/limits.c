@@ -28,7 +28,8 @@ static double first_meeting(int sheet, struct mirror_ray ray, struct d3 middle)
     return met ? t[0] : HUGE_VAL;
 }
 
-// The bound of proof 5: how far the computed distance at t may be from the true distance.
+// The bound of proof 5 in docs/16_fewer_steps.md: how far the computed distance at t may be from
+// the true distance.
 static double error_bound(struct mirror_ray ray, struct d3 middle, double t)
 {
     struct d3 p = mirror_at(ray, t);

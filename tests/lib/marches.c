@@ -28,8 +28,8 @@ const struct march_scene march_scenes[MARCH_SCENES] = {
     {"07", "07_repetition", "", "07_repetition.frag", MARGIN, "", NULL, false, true},
     {"09", "09_sky_and_sunset", "", "09_sky_and_sunset.frag", MARGIN, "", NULL, false, true},
     {"16", "16_fewer_steps", "", "16_fewer_steps.frag", "", "", "divider=1", false, true},
-    // The chapter's march already begins where the coarse pass ended or, if that is nearer, at the
-    // water.
+    // The chapter's march already begins where the coarse pass ended, or at the water if the water
+    // is nearer.
     {"21", "21_a_landscape", "#define PASS_DONE\n", "21_a_landscape.frag", "",
      "asked = 0; way = oneWay(max(abs(ray.direction.y), bend.direction.y));\n", NULL, false, true},
     {"22", "22_many_parts", "#include \"reef.glsl\"\n", "22_many_parts.frag", MARGIN, "", NULL,

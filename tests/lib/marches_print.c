@@ -151,7 +151,7 @@ int marches_print(void)
     if (!done)
         return 1;
     context_describe(&gpu.context, backend, sizeof backend);
-    printf("%s; %dx%d, the least of %d frames\n\n", backend, WIDTH, HEIGHT, FRAMES);
+    printf("%s; %dx%d, the fastest of %d frames\n\n", backend, WIDTH, HEIGHT, FRAMES);
     print_costs(rows);
     printf("\n");
     print_errors(rows);

@@ -8,7 +8,7 @@ struct m3 {
     struct d3 column[3];
 };
 
-// m times v, and the transpose of m times v.
+// The products of m and of its transpose with v.
 struct d3 m3_apply(const struct m3 *m, struct d3 v);
 struct d3 m3_apply_transposed(const struct m3 *m, struct d3 v);
 

@@ -42,13 +42,13 @@ struct normal_error measure_normal(double h)
         const float p[3] = {(float)(r * cos(around)), (float)(r * sin(around)), (float)(10.0 + z)};
         compare_differences(p, (float)h, &worst);
     }
-    // For the distance |p|, the third derivative along an axis is -3 n (1 - n^2) and the second is
-    // 1 - n^2. Only the components of these vectors perpendicular to n count: at worst 3 x 0.2805
-    // and sqrt(2).
+    // Let N be the normal at a point of the ball. The third derivative of the distance along axis i
+    // is -3 N_i (1 - N_i^2), and the second is 1 - N_i^2. Only the components of these vectors
+    // perpendicular to N count: their lengths are at most 3 x 0.2805 and sqrt(2).
     worst.central_truncation = 0.2805 * h * h / 2.0 * degrees;
     worst.forward_truncation = sqrt(2.0) * h / 2.0 * degrees;
-    // In each of the two values, z is rounded by up to 2^-21, and the length three times by up to
-    // 2^-24.
+    // In each of the two distances, z is rounded by up to 2^-21, and the length is rounded three
+    // times by up to 2^-24.
     worst.rounding = (8.0 + 2.0 * sqrt(3.0)) * MIRROR_FLOAT_ROUNDING / h * degrees;
     return worst;
 }
@@ -142,7 +142,7 @@ double measure_outline_theory(double threshold)
 
 // ---- Acne ----
 
-// Among every third pixel, count the lit pixels of the stage whose surroundings are also lit, and
+// Look at every third pixel. Count the lit pixels of the stage whose surroundings are also lit, and
 // those of them whose red channel in the picture is less than 0.7 of the expected value.
 static void count_acne(const struct camera *camera, const float *values, int *lit, int *dark)
 {

@@ -1,4 +1,4 @@
-// measure.h - the numbers that the pages quote: build/tests/measure prints them, and
+// measure.h - the numbers that the pages of docs/ quote: build/tests/measure prints them, and
 // tests/shaders/measure.c checks them.
 #ifndef TESTS_MEASURE_H
 #define TESTS_MEASURE_H
@@ -21,7 +21,7 @@ struct normal_error measure_normal(double h);
 
 // The number of moves of a march from height 1 above a plane until its distance is below threshold.
 //   angle  the ray's angle below the horizon, degrees, in (0, 90]
-// shaders/march.glsl counts one step more, because its steps are evaluations.
+// shaders/march.glsl counts one extra step, because its steps are evaluations.
 int measure_plane_moves(double angle, double threshold);
 
 // The same count from the formula ceil(ln(threshold) / ln(1 - sin angle)).
@@ -30,9 +30,9 @@ int measure_plane_formula(double angle, double threshold);
 // The angle, in degrees, below which this many evaluations do not reach the plane.
 double measure_plane_limit(int evaluations, double threshold);
 
-// The number of moves of a march past a ball of radius 1 that the ray misses by delta, from 3
-// before the closest point to 3 beyond it. With delta 0, the ray is a tangent, and the march ends
-// with a hit.
+// The number of moves of a march past a ball of radius 1 that the ray misses by delta, from 3 units
+// before the closest point to 3 units beyond it. With delta 0, the ray is a tangent, and the march
+// ends with a hit.
 int measure_ball_moves(double delta, double threshold);
 
 // The ratio e_(n+1) / e_n near the hit on a ball of radius 1, where e_n = t* - t_n, and t* is the
@@ -60,6 +60,7 @@ double measure_acne(double offset);
 // the chapter's picture, 160x90, that do not see all of the sun.
 //   error  receives the errors of five formulas: hard shadows, the smallest distance / t, pairs of
 //          steps, pairs of steps with twice the hardness, and the march that continues inside
+//          objects
 void measure_shadow_scene(struct shadow_error error[5]);
 
 #endif

@@ -87,15 +87,15 @@ double mirror_plane(struct d3 p, struct d3 normal, double height);
 double mirror_box(struct d3 p, struct d3 half_size);
 double mirror_box_frame(struct d3 p, struct d3 half_size, double beam);
 
-// The distances to the same solids, found with another method: they are measured to the closest
-// point of the surface, from outside and inside.
+// The distance to a box, found with another method: it is measured to the closest point of the
+// surface, from outside and inside.
 double brute_box(struct d3 p, struct d3 half_size);
-// Outside, the distance to the closest of the twelve beams. Inside, the true depth: the distance to
-// the closest point outside the frame, which is beyond an outer face or has at least two
-// coordinates that are further in than the beams.
+// The same for a frame. Outside, it is the distance to the closest of the twelve beams. Inside, it
+// is the true depth: the distance to the closest point outside the frame, which is beyond an outer
+// face or has at least two coordinates that are further in than the beams.
 double brute_box_frame(struct d3 p, struct d3 half_size, double beam);
-// The union of two balls of equal radius with centres (-shift, 0, 0) and (shift, 0, 0), where
-// shift < radius.
+// The same for the union of two balls of equal radius with centres (-shift, 0, 0) and
+// (shift, 0, 0), where shift < radius.
 double brute_two_balls(struct d3 p, double shift, double radius);
 
 // ---- scenes ----
@@ -225,8 +225,8 @@ struct mirror_eye {
 struct mirror_sample {
     struct d3 colour; // as the screen expects it, in [0, 1]
     const char *what; // the name of the visible part, or "sky"
-    bool faces;       // the surface faces the (warm) light
-    bool shadowed;    // the surface faces the light, but an object is in between
+    bool faces;       // the surface faces the warm lamp
+    bool shadowed;    // the surface faces the warm lamp, but an object is in between
 };
 
 // What a pixel of chapter 03 shows, to the limit of double precision.

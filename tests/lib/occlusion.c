@@ -127,7 +127,7 @@ double occlusion_taps(const struct occlusion_case *scene, double reach, double s
 
 // ---- Errors ----
 
-// One point of a field of the experiment 14_map.
+// One point of a field, the picture of one object, in the experiment 14_map.
 static struct occlusion_case field_case(enum occlusion_thing thing, double along, double grown)
 {
     double side = thing == OCCLUSION_GROOVE ? GROOVE : 1.2;
@@ -196,7 +196,7 @@ static void print_case(const char *words, struct occlusion_case scene)
 int occlusion_print(void)
 {
     static const char *const formulas[] = {"nothing hides", "taps at strength 1/2", "taps",
-                                           "near taps count more", "steps / 32"};
+                                           "near taps count more", "1 - steps / 32"};
     print_case("0.3 from a wall 0.4 high", (struct occlusion_case){OCCLUSION_WALL, 0.4, 0.3});
     print_case("1 from a ball of radius 1", (struct occlusion_case){OCCLUSION_BALL, 1.0, 1.0});
     print_case("0.1 from a wall 4 high", (struct occlusion_case){OCCLUSION_WALL, 4.0, 0.1});

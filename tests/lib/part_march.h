@@ -67,7 +67,7 @@ struct part_result part_march(const struct part_scene *scene, enum part_means me
 // The ray through the position x, y, each in [0, 1], of a picture of the heap.
 struct part_ray part_heap_ray(double x, double y);
 
-// The mean number of parts that are evaluated for a ray of that picture, over PART_RAYS rays.
+// The mean number of parts that are evaluated per ray, over PART_RAYS rays of the heap's picture.
 //   hits  receives the number of rays that meet the heap
 double part_heap_asked(const struct part_scene *scene, enum part_means means, int *hits);
 

@@ -12,8 +12,8 @@ struct tetrahedron {
     struct d3 corner[4];
 };
 
-// The pyramid rests on the ground, with its apex above (-0.7, -0.5) and one lower corner towards
-// the viewer. An edge has the length sqrt(8) PYRAMID_SIZE.
+// The pyramid rests on the ground, with its apex above x = -0.7, z = -0.5 and one lower corner
+// towards the viewer. An edge has the length sqrt(8) PYRAMID_SIZE.
 static struct tetrahedron whole_pyramid(void)
 {
     struct tetrahedron t;

@@ -2,7 +2,8 @@
 //
 // The pyramid is given by its corners in the scene. On each level, folds reflect the point in the
 // planes halfway between the apex and the other corners, and the edges are then halved towards the
-// apex. No axes are rotated, no loop is unrolled, and the normals come from cross products.
+// apex. Unlike the shader, this code does not rotate the axes, and its normals come from cross
+// products.
 #ifndef TESTS_PYRAMID_H
 #define TESTS_PYRAMID_H
 

@@ -7,8 +7,8 @@
 
 enum { FRAMES = 25, WARM_UP = 3 };
 
-// The engine's times were measured once, at 640x360. Their unit is the engine's time for the annex
-// scene, measured on the same machine on the same day.
+// The times of the report's engine were measured once, at 640x360. Their unit is that engine's time
+// for the scene of the report's annex, measured on the same machine on the same day.
 const struct report_scene report_scenes[REPORT_SCENES] = {
     {.name = "boxes",
      .shader = "chapters/experiments/16_report_boxes.frag",
@@ -27,8 +27,8 @@ const struct report_scene report_scenes[REPORT_SCENES] = {
      .setting = {"focalLength=1.22", "timeOfDay=10.5"},
      .engine = 17.9,
      .variant = {{"all", NULL},
-                 {"no roof to the interval", "clipped=false"},
-                 {"no parks in the distance", "parks=false"},
+                 {"no bounds at the ground and the roof", "clipped=false"},
+                 {"no parks in the distance function", "parks=false"},
                  {"no coarse pass", "coarsePass=false"},
                  {"no mirrored ray", "rays=1"}}},
 };
@@ -124,9 +124,9 @@ static bool print_scene(const struct report_scene *scene)
 int report_print(void)
 {
     printf("# time of a frame at 640x360 divided by that of tests/pictures/reference_scene.frag: "
-           "process CPU time, the least of %d frames; the engine's time was measured once\n",
+           "process CPU time, the fastest of %d frames; the engine's time was measured once\n",
            FRAMES);
-    printf("picture,means,units,evaluations,engine,times faster\n");
+    printf("picture,variant,units,evaluations,engine,times faster\n");
     for (int i = 0; i < REPORT_SCENES; i++)
         if (!print_scene(&report_scenes[i]))
             return 1;

@@ -13,7 +13,7 @@ void scratch_remove(void);
 int scratch_setup(void **unused);
 int scratch_teardown(void **unused);
 
-// The path of a name in the folder; valid until the eighth call after this one.
+// The path of a name in the folder; valid until eight more paths have been returned.
 const char *scratch_path(const char *name);
 
 // Write a file in the folder, and create the folders on its path. Returns its path, like

@@ -25,7 +25,7 @@ void session_open(const char *stem, const char *options, ...) __attribute__((for
 void session_open_bare(const char *stem, const char *options, ...)
     __attribute__((format(printf, 2, 3)));
 
-// End the program. Fails the test if the program has reported something that no session_said has
+// End the program. Fails the test if the program has reported something that session_said has not
 // fetched.
 void session_close(void);
 
@@ -53,8 +53,8 @@ void session_assert_title(const char *text);
 // this stream. The text is valid until the next call.
 const char *session_said(int stream);
 
-// Fails the test unless the window shows what a chapter writes with --output, apart from
-// differences due to rounding.
+// Fails the test unless the window shows the picture that a chapter writes with --output, apart
+// from differences due to rounding.
 //   options  the options of the command line, as a format of printf
 void session_assert_shown(const char *stem, const char *options, ...)
     __attribute__((format(printf, 2, 3)));

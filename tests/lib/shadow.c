@@ -11,7 +11,8 @@
 
 const char *const shadow_obstacle_names[SHADOW_OBSTACLES] = {"half-plane", "ball", "bar"};
 const char *const shadow_formula_names[SHADOW_FORMULAS] = {
-    "hard", "cone of 06", "distance / t", "pairs of steps", "pairs, 2 / s", "on inside"};
+    "hard",           "cone of chapter 06",  "distance / t",
+    "pairs of steps", "pairs twice as hard", "march on inside objects"};
 
 void shadow_axes(struct d3 to_light, struct d3 *right, struct d3 *up)
 {

@@ -20,16 +20,16 @@ void shadow_axes(struct d3 to_light, struct d3 *right, struct d3 *up);
 
 // ---- The table of errors ----
 
-// The object between the point and the lamp, close enough to the ray to matter.
+// The object that may hide a part of the lamp: a half-plane, a ball or a bar.
 enum shadow_obstacle { SHADOW_SHEET, SHADOW_BALL, SHADOW_BAR, SHADOW_OBSTACLES };
 
-// The method that estimates the share from one march.
+// The method that estimates the visible share of the lamp from one march.
 enum shadow_formula {
     SHADOW_HARD,   // 0 or 1
     SHADOW_CONE,   // coneReaching of shaders/cone.glsl, from a footprint of 0.0005
     SHADOW_MOST,   // the smallest distance / t
-    SHADOW_LEAST,  // pairs of steps
-    SHADOW_TWICE,  // pairs of steps, twice as hard: 1 if the edge is half a radius from the centre
+    SHADOW_LEAST,  // pairs of steps: least of clearanceAlong in shaders/soft_shadow.glsl
+    SHADOW_TWICE,  // pairs of steps, twice as hard: 1 if clear is at least 0.5
     SHADOW_SIGNED, // the smallest distance / t, with a march that continues inside the object
     SHADOW_FORMULAS
 };

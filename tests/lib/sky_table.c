@@ -191,7 +191,7 @@ int sky_table_print(void)
     if (!sky_table_open())
         return 1;
     printf(
-        "# difference from the integral in steps of 255, exposed and encoded; the sun is from -8 "
+        "# difference from the integral in steps of 1/255, exposed and encoded; the sun is from -8 "
         "to 90 degrees high, by day at least 5\n");
     printf("azimuth,way,mean,most,over 1,at sun,at height,most by day\n");
     for (int azimuth = 0; azimuth <= 180; azimuth += 45)

@@ -22,7 +22,7 @@ double sky_table_sun(int column);
 //   number        the shader's iMouse.x: for the sky, the cosine of the horizontal angle to the sun
 float *sky_table_read(int way, int function, double number, bool encoded);
 
-// Errors of the sky in steps of 255, with the light exposed according to hourStops, clamped to
+// Errors of the sky in steps of 1/255, with the light exposed according to hourStops, clamped to
 // [0, 1] and encoded.
 struct sky_table_error {
     double mean, most;
@@ -45,8 +45,8 @@ struct sky_lux {
 };
 struct sky_lux sky_lux(double degrees);
 
-// Print these errors for all methods, the light on level ground next to measured values, the colour
-// of the zenith, and the bytes of the tables. Returns the program's exit status.
+// Print the errors of all methods, the light on level ground next to measured values, the colour of
+// the zenith, and the bytes of the tables. Returns the program's exit status.
 int sky_table_print(void);
 
 #endif

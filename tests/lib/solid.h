@@ -8,8 +8,8 @@
 
 #include "lib/mirror.h"
 
-// The functions of the shader. The shader evaluates each function at SOLID_ITEMS points, and at a
-// second point beside each of them.
+// The functions of the shader. The shader evaluates each function at SOLID_ITEMS pairs of points,
+// which are close together or far apart.
 enum {
     CYLINDER,
     HEX_PRISM,

@@ -111,7 +111,8 @@ int speed_print(int argc, char **argv)
     }
     if (!measure_warm(pair) || !measure_cold(pair, gpu.root))
         return 1;
-    printf("# process CPU time at %dx%d, time 1: medians of %d frames and of %d cold starts\n",
+    printf("# process CPU time at %dx%d, with the time at 1 s: medians of %d frames and of %d cold "
+           "starts\n",
            width, height, FRAMES, COLD_RUNS);
     printf("shader,frame_ms,cold_ms\n");
     double warm[2], cold[2];

@@ -28,7 +28,7 @@ int system_open_files(void);
 
 // Run one of the programs built with the tests, with a line of arguments, and read its output and
 // errors.
-//   text  receives the first size - 1 bytes of this text
+//   text  receives the first size - 1 bytes of the output and errors
 // Returns the exit status of the program. Ends the test program if that program cannot be started.
 int system_run(const char *program, const char *arguments, char *text, size_t size);
 

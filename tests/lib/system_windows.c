@@ -10,8 +10,8 @@ bool system_make_scratch(char path[PLATFORM_PATH])
 {
     static int number;
     const char *parent = getenv("TEMP");
-    // The name may be taken: the id of an ended program is reused, and a killed program leaves its
-    // folder behind.
+    // The name may be taken: the id of an ended program can be reused, and a killed program leaves
+    // its folder behind.
     bool made;
     do {
         snprintf(path, PLATFORM_PATH, "%s/march-test-%d-%d", parent != NULL ? parent : ".",

@@ -43,7 +43,7 @@
         return test_run(setup, teardown);                                                          \
     }
 
-// Used only by these macros.
+// Used only by the macros above.
 //   line  the test's line in the file; the tests run in the order of their lines
 void test_add(int line, const struct CMUnitTest *test);
 int test_run(CMFixtureFunction setup, CMFixtureFunction teardown);

@@ -51,7 +51,7 @@ extern struct user user;
 void user_reset(void);
 
 // Press a key, release a key, or press a key and release it again.
-//   modifiers  GLFW_MOD_SHIFT or 0
+//   modifiers  GLFW_MOD_SHIFT, GLFW_MOD_CONTROL or 0
 void user_press(int key, int modifiers);
 void user_release(int key);
 void user_key(int key, int modifiers);

@@ -144,7 +144,7 @@ close_window() {
     wait "$program" 2>/dev/null
 }
 
-# look NAME: stores what the window shows under a name. Without a window, import would wait for a click.
+# look NAME: stores a picture of the window under a name. Without a window, import would wait for a click.
 look() { [ -n "$window" ] && import -window "$window" "$scratch/$1.png"; }
 
 # Print how many of a million pixels differ by more than a driver's rounding. apart compares two stored pictures, or the

@@ -177,7 +177,7 @@ static void judge_note(const char *where, const struct panel_rows *rows, int fir
 
 // ---- A picture of a chapter ----
 
-static const char *const refusal = "a number has digits, a point and a minus; hold Shift for "
+static const char *const refusal = "type digits, a point, a sign or an e; hold Shift for "
                                    "digits on a French keyboard";
 
 struct way {

@@ -24,7 +24,7 @@ const judge = (name, text) => page.evaluate(async ([name, text]) => {
 for (const {name, stem} of fewest.values()) {
     const read = (file) => fs.readFileSync(`chapters/${file}.frag`, 'utf8');
     const solution = await judge(name, read(`solutions/${stem}_${name.slice(3)}`));
-    check(`${name}: the solution is accepted`, solution.right && solution.words.startsWith('as the solution in '), solution);
+    check(`${name}: the solution is accepted`, solution.right && solution.words.startsWith('matches the solution in '), solution);
     const untouched = await judge(name, read(stem));
     check(`${name}: the unsolved chapter is rejected`, !untouched.right && untouched.words !== '', untouched);
 }

@@ -124,7 +124,7 @@ as_here() {
 }
 mine="$folder/ma réponse.frag"
 cp chapters/solutions/03_shadows_2.frag "$mine"
-check 'check.bat accepts a right answer, in the words of make check' as_here 0 ': right: as the solution in '
+check 'check.bat accepts a right answer, in the words of make check' as_here 0 ': right: matches the solution in '
 sed 's/p + offset \* toLight/p + offset * normal/' chapters/solutions/03_shadows_2.frag >"$mine"
 check 'check.bat rejects a wrong answer and shows two rays' as_here 1 "the solution's: .*hit"
 # The picture of this answer is right, but its first march goes in the opposite direction.
