@@ -47,7 +47,7 @@ float sceneDistance(vec3 p)
     return min(min(min(stage, frame), min(inside, above)), min(resting, block));
 }
 
-// The room around a camera at p, which must stay 0.15 scene units away from the scene.
+// The room around a camera at p, which must stay at least 0.15 scene units away from the scene.
 float cameraRoom(vec3 p)
 {
     return sceneDistance(p) - 0.15;
@@ -82,7 +82,8 @@ float visibility(vec3 p, vec3 normal, vec3 toLight, float distance)
     return lightReaching(ray, shadows ? far : 0.0, hitThreshold, maxSteps);
 }
 
-// The light of the circling lamp. If sun is set, it comes from the same direction at every point.
+// The light of the circling lamp. If sun is set, the light comes from the same direction at every
+// point.
 vec3 warmLight(vec3 p, vec3 normal)
 {
     vec3 toLamp = sun ? lampPosition() : lampPosition() - p;

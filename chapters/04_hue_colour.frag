@@ -23,8 +23,8 @@ uniform float normalStep;   // 0.001 in [0.0000001, 0.5] step *2, scene units: s
 const vec3  LOW = vec3(-3.25, -0.27, -3.25);       // opposite corners of a box around the scene
 const vec3  HIGH = vec3(3.25, 1.6, 3.25);
 
-// The wheel, seen from above: x points right, z towards the viewer. A mirror's normal points to the
-// side that its fold leaves unchanged.
+// The wheel: x points right, z towards the viewer, and angles are measured from x towards z. A
+// mirror's normal points to the side that its fold leaves unchanged.
 const float RING = 2.5;                            // radius of the wheel, scene units
 const vec2  MIRROR_60 = vec2(0.8660254, -0.5);     // normal of the mirror at 60 degrees
 const vec2  MIRROR_30 = vec2(0.5, -0.8660254);     // normal of the mirror at 30 degrees

@@ -21,7 +21,8 @@ uniform float hitThreshold; // 0.004 in [0.00001, 0.2] step *2, scene units: dis
 
 const float FAR = 1000.0; // distance to the sky
 
-// Opposite corners of a box around the waves at waveHeight 1. Outside the box, the sea is flat.
+// Opposite corners of a box around the waves at waveHeight 1. Outside the box, rays meet the plane
+// y = 0 instead of the waves.
 const vec3  LOW = vec3(-14.0, -0.125, -10.0);
 const vec3  HIGH = vec3(14.0, 0.125, 5.5);
 

@@ -1,12 +1,12 @@
-// 06 Symmetry: a pyramid of 4^m tetrahedra made with 3 m folds, where m is the parameter levels, and
-// a march whose threshold grows with the footprint of a pixel.
+// 06 Symmetry: 3 m folds make a pyramid of 4^m tetrahedra, where m is the parameter levels. The
+// threshold of the march grows with the footprint of a pixel.
 
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
 #include "cone.glsl"       // marchCone, pixelSpread, coneReaching
 #include "normal.glsl"     // normalAt
 #include "primitives.glsl" // sdBox
-#include "symmetry.glsl"   // sdSierpinskiPlanes, foldToCorner, tetrahedronInterval
+#include "symmetry.glsl"   // sdSierpinskiPlanes, sdTetrahedronPlanes, foldToCorner, tetrahedronInterval
 #include "hue.glsl"        // hsvToRGB
 #include "lighting.glsl"   // lambert, encodeSRGB
 #include "shadow.glsl"     // shadowRay, shadowReach
@@ -29,7 +29,7 @@ const vec3  SLAB_HALF = vec3(4.2, 0.1, 3.2);
 const float MARGIN = 0.02;                         // margin of the bounds around the pyramid and the slab
 
 // The columns are the world's axes in the coordinates of the pyramid, whose corner (1, 1, 1) points
-// up. The matrix is an isometry, as in chapter 05.
+// up. The matrix is a rotation, so distances stay exact, as in chapter 05.
 const mat3 TO_PYRAMID = mat3( 0.70710678, -0.70710678, 0.0,
                               0.57735027,  0.57735027, 0.57735027,
                              -0.40824829, -0.40824829, 0.81649658);
@@ -40,7 +40,7 @@ const vec3  EARTH_COLOUR = vec3(0.03, 0.03, 0.04); // light from below
 const vec3  SLAB_COLOUR = vec3(0.12, 0.13, 0.16);
 const float TILE = 0.5;                            // side of a paving stone, scene units
 const float JOINT = 0.008;                         // half the width of a joint
-const float SUN_SPREAD = 0.02;                     // tangent of half the angle of the sun's disc
+const float SUN_SPREAD = 0.02;                     // tangent of the angular radius of the sun's disc
 
 Ray pixelRay(vec2 screen)
 {
@@ -79,7 +79,7 @@ vec2 sceneInterval(Ray ray)
 // Two values that the first four levels of folds determine for a point.
 struct Trail {
     float address; // a binary fraction: the digit of a level is 1 if its folds move the point
-    float open;    // at most 1: each level reduces it, by more if the point is deeper in the tetrahedron
+    float open;    // at most 1: the deeper the point is in a level's tetrahedron, the more that level reduces open
 };
 
 Trail foldTrail(vec3 p)

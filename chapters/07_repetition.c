@@ -1,4 +1,4 @@
-// Chapter 07: repetition. There is only one lantern; folding each coordinate into a cell turns the
+// Chapter 07: repetition. There is only one lantern; folding x and z into its cell turns the
 // lantern into an endless field.
 //
 // The page is docs/07_repetition.md.

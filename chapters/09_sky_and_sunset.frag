@@ -1,12 +1,12 @@
-// 09 Sky and sunset: a city of towers that vary from cell to cell, under a sky that follows the
-// sun.
+// 09 Sky and sunset: a city of towers that differ from block to block, under a sky that follows
+// the sun.
 
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread
 #include "repetition.glsl" // cellRandom
 #include "city.glsl"       // cityDistance, cityNormal, blockAt, pavement
 #include "lighting.glsl"   // lambert, encodeSRGB
-#include "shadow.glsl"     // shadowRay; it includes march
+#include "shadow.glsl"     // shadowRay; march of march.glsl
 #include "bounds.glsl"     // boxInterval
 #include "coverage.glsl"   // coverage, stripes, blurred
 #include "sky.glsl"        // direction and light of the sun, sunlitSky, nightSky, skyAmbient, glow, disc
@@ -19,7 +19,7 @@ uniform float footprint;      // 1 in [0, 4] step 0.25, half pixels: radius of a
 uniform int   maxSteps;       // 160 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.002 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit, at the eye
 
-// x points north, y up, z east. The camera starts with a view west along the avenue. One scene unit
+// x points north, y up, z east. At the start the camera looks west along the avenue. One scene unit
 // is about 8 metres.
 const float LATITUDE = 43.6;   // latitude of Toulouse, degrees
 const float DECLINATION = 2.0; // declination of the sun in late March, degrees
@@ -65,7 +65,7 @@ vec3 skyLight(vec3 direction, vec3 sun)
     return day + nightSky(direction, sun);
 }
 
-// The direction to the strongest light: the sun or, at night, the moon, which is opposite it.
+// The direction to the strongest light: the sun or, at night, the moon, which is opposite the sun.
 vec3 lightDirection(vec3 sun)
 {
     return sun.y > 0.0 ? sun : -sun;
@@ -125,14 +125,15 @@ struct Material {
     vec3  glow;   // light that the surface emits
 };
 
-// How brightly the street lamps are lit: from shortly before sunset until shortly after sunrise.
+// How brightly the street lamps are lit, from 0 to 1. They are on from shortly before sunset until
+// shortly after sunrise.
 float lampsOn(vec3 sun)
 {
     return 1.0 - smoothstep(-0.02, 0.12, sun.y);
 }
 
-// The share of people who have their lights on: from dusk until they go to sleep, when the sun is
-// far below the horizon.
+// The share of people whose lights are on: they switch the lights on at dusk, and off when they go to
+// sleep, when the sun is far below the horizon.
 float windowsOn(vec3 sun)
 {
     return (1.0 - smoothstep(-0.08, 0.2, sun.y)) * smoothstep(-0.85, -0.4, sun.y);
@@ -218,7 +219,8 @@ vec3 receivedLight(Surface surface, vec3 sun, vec3 beam, vec3 direct)
 // The sky reflected in panes, and the sun or moon reflected in asphalt. Both reflections are stronger
 // at smaller grazing angles.
 // The fourth power instead of Schlick's fifth was chosen by eye, for panes that are not quite flat.
-//   sky  the sky behind the point: a wall at a small grazing angle reflects nearly the same part
+//   sky  light of the sky behind the point; at a small grazing angle, a wall reflects nearly the same
+//        part of the sky
 vec3 mirroredLight(Surface surface, Material material, vec3 direction, vec3 sun, vec3 direct, vec3 sky)
 {
     float grazing = 1.0 - surface.facing, square = grazing * grazing;

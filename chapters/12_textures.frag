@@ -136,7 +136,7 @@ struct Surface {
 };
 
 // The surface at p. Its normal comes from differences of the smooth shapes only, at the corners of a
-// tetrahedron. If the differences cancel, or without a hit, the normal points up.
+// tetrahedron. If the differences cancel or there is no hit, the normal points up.
 Surface surfaceAt(vec3 p, float h, bool hit)
 {
     Surface surface = Surface(vec4(1.0), vec3(0.0));
@@ -178,7 +178,7 @@ Material materialAt(vec3 p, vec3 direction, float width, bool hit)
     bool isCloth = hit && surface.part.w < near, isBall = hit && surface.part.z < near;
     bool isPlank = hit && surface.part.y < near && !isCloth, isStone = hit && !(isCloth || isBall || isPlank);
 
-    // The gradient of the noise is computed in closed form. It includes two octaves more than the
+    // The gradient of the noise is computed in closed form. It includes two more octaves than the
     // march uses, or four more on the ground, which is nearer to the eye. The ground is flat, and
     // only shaded as if it were rough.
     float scale = hit ? 1.0 : 1.8, depth = isStone ? roughness : (hit ? 0.0 : bumps);

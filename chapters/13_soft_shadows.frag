@@ -8,7 +8,7 @@
 #include "combine.glsl"     // opSmoothUnion
 #include "repetition.glsl"  // opRepeatLimited, cellRandom
 #include "lighting.glsl"    // lambert, encodeSRGB
-#include "soft_shadow.glsl" // clearanceAlong, lampReaching; includes shadowRay, shadowReach
+#include "soft_shadow.glsl" // clearanceAlong, lampReaching; shadowRay, shadowReach of shadow.glsl
 #include "bounds.glsl"      // boxInterval
 #include "coverage.glsl"    // stripes, blurred
 
@@ -27,7 +27,7 @@ const vec3  LOW = vec3(-10.1, -0.01, -5.3);         // opposite corners of a box
 const vec3  HIGH = vec3(6.9, 2.78, 2.9);
 const float EDGE = -5.2;                            // z at which the floor ends, scene units
 const float FAR = 60.0;
-const float LONGEST_SHADOW = 10.0;                  // longest shadow of a sun 17 degrees high or higher, scene units
+const float LONGEST_SHADOW = 10.0;                  // longest shadow with the sun at least 17 degrees high, scene units
 const vec3  SUN_COLOUR = vec3(1.36, 1.00, 0.68);    // light of the sun on a surface that faces it, linear RGB
 const vec3  SKY_COLOUR = vec3(0.25, 0.35, 0.53);    // light from above
 const vec3  EARTH_COLOUR = vec3(0.54, 0.40, 0.31);  // light from below, reflected by the floor

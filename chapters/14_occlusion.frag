@@ -2,9 +2,9 @@
 // a point.
 
 #include "main.glsl"        // main(): calls pixelRay, then rayColour
-#include "cone.glsl"        // perspectiveRay, pixelSpread
+#include "cone.glsl"        // perspectiveRay
 #include "lighting.glsl"    // encodeSRGB
-#include "occlusion.glsl"   // openByTaps, skyReaching, skyAndBounces
+#include "occlusion.glsl"   // openOverGround, openByTaps, skyReaching, skyAndBounces
 #include "courtyard.glsl"   // the court: courtyardSurface, courtyardDistance, troughDistance
 
 uniform int   method;       // 1 in [0, 3]: 0 nothing hides the sky, 1 five taps, 2 many rays, 3 the error, taps minus rays: blue is too dark
@@ -42,7 +42,7 @@ vec3 skyLight(vec3 direction)
     return mix(vec3(0.70, 0.73, 0.76), vec3(0.80, 0.85, 0.90), up) * (0.62 + 0.9 * up);
 }
 
-// The openness, estimated from five taps.
+// The openness of a point (see occlusion.glsl), estimated from five taps.
 float openQuickly(Surface surface)
 {
     return openOverGround(surface.normal) * openByTaps(surface.p, surface.normal, reach, strength);

@@ -69,7 +69,7 @@ vec3 skyLight(vec3 direction, vec3 toSun)
 }
 
 // 1 if a point of the mist is in the sun, otherwise 0. Only the walls and the arcade are tested,
-// because all other objects are too small.
+// because all other objects are too small to matter.
 float mistLit(Ray toSun)
 {
     float t = (ARCADE - toSun.origin.z) / toSun.direction.z;
@@ -79,7 +79,7 @@ float mistLit(Ray toSun)
 }
 
 // The share of the mist along a ray that is in the sun: the mean of mistLit over points of the ray.
-// The points are denser where more of the light that the mist sends to the eye comes from.
+// The points are denser where the mist sends more light to the eye.
 //   depth  optical depth of the ray
 float mistSeen(Ray ray, float depth, vec3 toSun)
 {

@@ -2,7 +2,7 @@
 
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "cone.glsl"       // perspectiveRay, pixelSpread
-#include "relaxed.glsl"    // marchRelaxed; includes march
+#include "relaxed.glsl"    // marchRelaxed
 #include "stretch.glsl"    // twistStretchAlong
 #include "transform.glsl"  // opTwist, twistStretch
 #include "normal.glsl"     // normalAt

@@ -5,7 +5,7 @@
 #include "cone.glsl"       // perspectiveRay, pixelSpread
 #include "normal.glsl"     // normalAt
 #include "primitives.glsl" // sdSphere
-#include "solids.glsl"     // opExtrude, opRound, sdCappedCone; sdTriangle of plane.glsl
+#include "solids.glsl"     // opExtrude, sdCappedCone; opRound, sdTriangle of plane.glsl
 #include "combine.glsl"    // opSubtraction
 #include "glass.glsl"      // marchSide, partingAt, leavingRay, absorbed, straightThrough
 #include "spectrum.glsl"   // cauchyIndex, waveColour, meanColour, sampleWave

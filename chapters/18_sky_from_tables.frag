@@ -2,11 +2,11 @@
 
 #include "main.glsl"      // main(): calls pixelRay, then rayColour
 #include "cone.glsl"      // perspectiveRay, marchCone, pixelSpread
-#include "bounds.glsl"    // boxInterval
+#include "bounds.glsl"    // boxInterval, intervalUnion
 #include "fresnel.glsl"   // schlickShare
 #include "lighting.glsl"  // lambert, encodeSRGB
 #include "film.glsl"      // exposed, filmOfLargest, ditherStep
-#include "sky_table.glsl" // sunDirection, tableSky, tableSun, tableSunlight, tableAmbient, hourStops
+#include "sky_table.glsl" // sunDirection, tableSky, tableSun, tableSunlight, tableAmbient, hourStops, daylightFilm
 
 uniform sampler2D sunward; // "sky_sunward.png" sRGB clamp: the half of the sky that contains the sun
 uniform sampler2D away;    // "sky_away.png" sRGB clamp: the other half of the sky
@@ -20,7 +20,7 @@ uniform float swell;          // 0.04 in [0, 0.2] step 0.01: slope of the waves
 uniform int   maxSteps;       // 96 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.01 in [0.00001, 0.2] step *2, metres: distance at the eye that counts as a hit
 
-// x points north, y up, z east; the first view is to the west. One scene unit is one metre.
+// x points north, y up, z east; at the start the camera looks west. One scene unit is one metre.
 const float LATITUDE = 43.6;              // latitude of Toulouse, degrees
 const float DECLINATION = 2.0;            // declination of the sun in late March, degrees
 const vec3  PINE = vec3(29.0, 2.4, -47.0); // foot of the pine
@@ -56,7 +56,7 @@ vec3 skyLight(vec3 direction, vec3 sun)
 
 // ---- The islet ----
 
-// A triangle wave with period 1 between -1 and 1: its slope is at most 4.
+// A triangle wave with period 1 and values from -1 to 1. Its slope is at most 4.
 float zigzag(float x)
 {
     return 4.0 * abs(fract(x) - 0.5) - 1.0;

@@ -8,7 +8,7 @@
 #include "lighting.glsl"   // lambert, encodeSRGB
 #include "fresnel.glsl"    // schlickShare
 #include "coverage.glsl"   // coverage
-#include "sky.glsl"        // sunDirection, sunlitSky, transmittance, airMass
+#include "sky.glsl"        // sunDirection, sunlitSky, transmittance, airMass, glow
 #include "night.glsl"      // the directions of stars and moon, and their light
 #include "film.glsl"       // exposed, filmOfLargest
 

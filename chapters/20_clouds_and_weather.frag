@@ -4,7 +4,7 @@
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread
 #include "coast.glsl"      // the lighthouse, its house and its rocks: coastDistances, coastInterval, coastColour
-#include "shadow.glsl"     // shadowRay; it includes march
+#include "shadow.glsl"     // shadowRay; march of march.glsl
 #include "normal.glsl"     // normalAt
 #include "lighting.glsl"   // lambert, encodeSRGB
 #include "noise.glsl"      // valueNoise
@@ -32,7 +32,7 @@ uniform int   clouds;         // 3 in [0, 3]: 0 none, 1 the panoramas, 2 the hig
 uniform int   maxSteps;       // 96 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.002 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit
 
-// x points north, y up, z east; the first view is to the south. One scene unit is 5 metres.
+// x points north, y up, z east; at the start the camera looks south. One scene unit is 5 metres.
 const float LATITUDE = 43.6;
 const float DECLINATION = -8.0; // declination of the sun in the middle of October, degrees
 const float RISE = 0.56;        // upward shift of the lens in half screen heights; vertical lines stay vertical
@@ -61,13 +61,13 @@ float cameraRoom(vec3 p)
 // ---- The sources of light ----
 
 // These values are computed once for each pixel. The full moon is opposite the sun: it fades in while the sun sinks
-// from -2 degrees to -7, and the light of both skies is added.
+// from -2 degrees to -7. The sky lit by the sun and the sky lit by the moon are added.
 struct Lights {
     vec3  skySun;      // direction of the source whose sky is brighter, length 1
     float skyStrength; // strength of that source: 1 for the sun
     vec3  even;        // light of the other source's sky, taken as the same in all directions
     vec3  clear;       // the mean light of the whole clear sky, from both sources
-    float apart;       // 0 if both skies are equally bright, and the whole sky is taken as even; 1 by day
+    float apart;       // 0 if both skies are equally bright: the whole sky is then taken as even; 1 by day
     vec3  sun;      // direction to the sun, or to the moon once the sun lights no cloud
     float strength; // light of that source: 1 for the sun
     vec3  low;      // light of that source at the ground, on a perpendicular surface

@@ -7,10 +7,10 @@
 #include "water.glsl"     // footprintOnWater, glitter
 #include "fresnel.glsl"   // schlickShare
 #include "lighting.glsl"  // lambert, encodeSRGB
-#include "soft_shadow.glsl" // discBesideEdge; it includes shadowRay, shadowReach
-#include "fog.glsl"       // fogDepth, fogLight, throughFog; it includes sunDirection, airMass
+#include "soft_shadow.glsl" // discBesideEdge; shadowRay, shadowReach of shadow.glsl
+#include "fog.glsl"       // fogDepth, fogLight, throughFog; sunDirection, airMass of sky.glsl
 #include "film.glsl"      // exposed, filmOfLargest, ditherStep
-#include "sky_table.glsl" // tableSky, tableSun, tableSunlight, tableAmbient, daylightFilm
+#include "sky_table.glsl" // tableSky, tableSun, tableSunlight, tableAmbient, skyBrightness, daylightFilm
 #include "night.glsl"     // skyTurn, starLight, airglow, the moon
 #include "clouds.glsl"    // cloudPanorama, cloudLight, and the weather
 #include "coarse.glsl"    // coarseStart
@@ -43,7 +43,7 @@ const float SHADOW_FAR = 60.0; // greatest length of a shadow ray
 const float MIST_SCALE = 3.0;  // the height over which the mist thins to 1 / e
 const float LATITUDE = 43.6;   // latitude of the lake, degrees
 const float SUN_RADIUS = 0.0047, MOON_RADIUS = 0.009; // angular radii, radians: the moon's is twice the true radius
-const float DISC = 0.0047;      // the true angular radius of both, for shadows
+const float DISC = 0.0047;      // the true angular radius of sun and moon, radians, for shadows
 const float LOW_CLOUDS = 3.0, HIGH_CLOUDS = 8.0; // altitudes, km
 const float HIGH_PERIOD = 70.0; // period of the picture of the high clouds, km; the picture moves by one period a day
 const float MOON_STOPS = 3.5;   // greatest exposure of the moon, in stops: an eye that looks at the moon adapts

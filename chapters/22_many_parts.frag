@@ -19,7 +19,7 @@ uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: di
 const float FAR = 40.0, SURFACE = 7.0;                     // range of vision in the water; height of the surface
 const vec3  TO_SUN = vec3(-0.3612, 0.8729, -0.3281);       // direction to the sun, as refracted by the water
 const vec3  SUN_COLOUR = vec3(2.3, 2.1, 1.6);            // linear RGB, at the depth of the reef
-const vec3  DEEP = vec3(0.002, 0.030, 0.085), SHALLOW = vec3(0.02, 0.25, 0.42); // light seen looking down and up
+const vec3  DEEP = vec3(0.002, 0.030, 0.085), SHALLOW = vec3(0.02, 0.25, 0.42); // light from below and from above
 const vec3  ABSORBED = vec3(1.6, 0.85, 0.7);               // absorption of red, green and blue, times 1 / clearness
 
 Ray pixelRay(vec2 screen)

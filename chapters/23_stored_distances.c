@@ -50,7 +50,7 @@ int main(int argc, char **argv)
     const struct chapter chapter = {
         .stem = "23_stored_distances",
         .title = "23 Stored distances",
-        .shows = "A clay elephant on a turntable; its distance is stored in a grid.",
+        .shows = "A clay elephant, stored as distances in a grid, on a turntable.",
         .camera = {.position = {0.0f, 0.38f, 2.4f}, .pan = 0.0f, .tilt = -12.0f},
         .tool = &tool,
     };

@@ -10,7 +10,7 @@
 #include "transform.glsl"   // rotationY
 #include "stored.glsl"      // storedDistance, storedStep
 #include "occlusion.glsl"   // tapHeight, skyAndBounces; shadowRay, shadowReach of shadow.glsl
-#include "gloss.glsl"       // ggxGloss
+#include "gloss.glsl"       // ggxGloss, halfway
 #include "fresnel.glsl"     // schlickShare
 #include "noise.glsl"       // gradientNoise
 #include "lighting.glsl"    // lambert, encodeSRGB
@@ -18,7 +18,7 @@
 
 uniform sampler3D grid; // "clay.png" linear clamp 64: the distance to the elephant, high and low byte
 
-uniform int   stepping;     // 2 in [0, 2]: length of a step: 0 the stored value, 1 divided by sqrt(3), 2 storedStep
+uniform int   stepping;     // 2 in [0, 2]: length of a step: 0 the stored value, 1 that value / sqrt(3), 2 storedStep
 uniform float tool;         // 0 in [-0.2, 0.2] step 0.01, scene units: radius of the roll of clay that a drag adds; below 0 a drag removes clay, at 0 it turns the view
 uniform float turn;         // 52 in [-360, 360] step 2, degrees: angle of the turntable at the start
 uniform float turnSpeed;    // 12 in [-90, 90] step 2, degrees per second: speed of the turntable
@@ -34,7 +34,7 @@ const float TOP = -0.562, TABLE = -0.78;
 const vec3  LOW = vec3(-1.1, TABLE, -1.1), HIGH = vec3(1.1, 0.9, 1.1); // box around the elephant and the turntable
 const float FAR = 40.0;
 const vec3  TO_KEY = vec3(-0.7428, 0.5571, 0.3714);   // direction of the large lamp on the left, length 1
-const vec3  TO_RIM = vec3(0.6805, 0.3889, -0.6211);   // direction of the lamp behind, on the right
+const vec3  TO_RIM = vec3(0.6805, 0.3889, -0.6211);   // direction of the lamp behind the elephant, on the right
 const vec3  KEY_COLOUR = vec3(3.6, 2.95, 2.25);       // light on a surface that faces the lamp, linear RGB
 const vec3  RIM_COLOUR = vec3(1.3, 1.8, 2.4);
 const vec3  FILL_COLOUR = vec3(0.18, 0.24, 0.30);     // light from above

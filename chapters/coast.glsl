@@ -1,7 +1,7 @@
 // coast.glsl - a lighthouse with its keeper's house on flat rocks in the sea: the scene of chapter 20.
 //
-// x points north, y up, z east; the first view is to the south. One scene unit is 5 metres; the sea
-// is y = 0.
+// x points north, y up, z east; at the start the camera looks south. One scene unit is 5 metres; the
+// sea is y = 0.
 #include "bounds.glsl"     // boxInterval, intervalUnion
 #include "combine.glsl"    // opUnion, opSmoothUnion
 #include "coverage.glsl"   // coverage

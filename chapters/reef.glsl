@@ -4,8 +4,8 @@
 // The table is a picture of bytes, 512 texels wide, which shaders/textures/reef.c writes. It contains three reefs. For
 // each reef, eight texels at the start of the table store where its data begin, and its grid. A part takes three
 // texels, a cell takes one, and two indices of parts share one. Byte 0 of a cell is the number of parts in its list.
-// The other bytes are a whole number: the position of the list or, if the list is empty, 4096 times the distance from
-// the cell's centre to the scene.
+// The other bytes are a whole number: the position of the list or, if the list is empty, 4096 times a lower bound of
+// the distance from the cell's centre to the scene.
 #include "march.glsl"  // Hit, distanceAt
 #include "scene.glsl"
 #include "bounds.glsl" // boxInterval
@@ -40,7 +40,7 @@ struct Grid {
 
 Grid grid;
 
-// Read the grid of the reef that the parameter selects. Every pixel calls this function first.
+// Read the grid of the reef that the parameter parts selects. Every pixel calls this function first.
 void readGrid()
 {
     int at = 8 * (parts > 512 ? 2 : (parts > 64 ? 1 : 0));
@@ -89,7 +89,7 @@ struct Cell {
     vec3  low;
     float size;
     int   first, count;
-    float bound; // the distance from the centre to the scene if count is 0
+    float bound; // a lower bound of the distance from the centre to the scene, if count is 0
 };
 
 Cell cellAt(vec3 p)

@@ -5,7 +5,7 @@
 // the plane x right, y ahead.
 #include "inputs.glsl"     // iTime
 #include "land.glsl"
-#include "water.glsl"      // fourWaves; it includes the lookups of texture.glsl
+#include "water.glsl"      // fourWaves; the lookups of texture.glsl
 #include "bounds.glsl"     // boxInterval, intervalUnion
 #include "repetition.glsl" // cellRandom
 

@@ -16,7 +16,7 @@ void main()
 {
     vec3 direction = normalize(vec3(FragCoord, -1.5));
     float t = 0.0; // distance travelled along the ray
-    float d = 1.0; // distance from that point to the scene
+    float d = 1.0; // distance from the point at t to the scene
     for (int i = 0; i < 200 && d > 0.001 && t < 40.0; i++) { // try 8 instead of 200
         d = sceneDistance(t * direction);
         t += d;

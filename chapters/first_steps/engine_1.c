@@ -85,11 +85,11 @@ static bool add_shader(GLuint program, GLenum kind, const char *text, const char
     if (!right)
         glGetShaderInfoLog(shader, sizeof log, NULL, log);
     glAttachShader(program, shader);
-    glDeleteShader(shader); // takes effect once the program no longer needs it
+    glDeleteShader(shader); // takes effect once the program no longer needs the shader
     return right || fail(name, log);
 }
 
-// Make a program from both shaders. Returns 0 if either has an error.
+// Make a program from both shaders. Returns 0 if that fails.
 static GLuint make_program(void)
 {
     GLuint program = glCreateProgram();

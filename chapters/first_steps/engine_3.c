@@ -14,7 +14,7 @@
 #include <GLFW/glfw3.h>
 #include <GL/glcorearb.h>
 
-enum { WIDTH = 640, HEIGHT = 360, TEXT = 65536 }; // pixels; upper limit of a shader's bytes
+enum { WIDTH = 640, HEIGHT = 360, TEXT = 65536 }; // pixels; a shader has fewer than TEXT bytes
 
 // The vertex shader places corner 0, 1 or 2 of a triangle. The screen extends from -1 to 1.
 // FragCoord has the same unit in both directions, half the height of the picture.
@@ -125,11 +125,11 @@ static bool add_shader(GLuint program, GLenum kind, const char *text, const char
     if (!right)
         glGetShaderInfoLog(shader, sizeof log, NULL, log);
     glAttachShader(program, shader);
-    glDeleteShader(shader); // takes effect once the program no longer needs it
+    glDeleteShader(shader); // takes effect once the program no longer needs the shader
     return right || fail_at_line(name, log);
 }
 
-// Make a program from the vertex shader above and a file. Returns 0 if either has an error.
+// Make a program from the vertex shader above and a file. Returns 0 if that fails.
 static GLuint make_program(const char *path)
 {
     static char text[TEXT];

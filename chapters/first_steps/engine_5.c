@@ -17,13 +17,13 @@
 #include <GLFW/glfw3.h>
 #include <GL/glcorearb.h>
 
-enum { WIDTH = 640, HEIGHT = 360, TEXT = 65536 }; // pixels; upper limit of a shader's bytes
+enum { WIDTH = 640, HEIGHT = 360, TEXT = 65536 }; // pixels; a shader has fewer than TEXT bytes
 
 #define FOCAL      1.5f  // distance from the eye to the screen, in half screen heights
 #define TILT_LIMIT 1.55f // radians, just below a right angle
 #define SPEED      2.0   // scene units per second
 
-// At pan 0 and tilt 0 the eye looks along -z. Pan turns it to the right, tilt upwards.
+// At pan 0 and tilt 0 the eye looks along -z. Pan turns it to the right, tilt turns it upwards.
 enum { RIGHT, UP, FORWARD }; // the rows of a basis
 struct camera {
     float position[3]; // scene units; y is up
@@ -148,11 +148,11 @@ static bool add_shader(GLuint program, GLenum kind, const char *text, const char
     if (!right)
         glGetShaderInfoLog(shader, sizeof log, NULL, log);
     glAttachShader(program, shader);
-    glDeleteShader(shader); // takes effect once the program no longer needs it
+    glDeleteShader(shader); // takes effect once the program no longer needs the shader
     return right || fail_at_line(name, log);
 }
 
-// Make a program from the vertex shader above and a file. Returns 0 if either has an error.
+// Make a program from the vertex shader above and a file. Returns 0 if that fails.
 static GLuint make_program(const char *path)
 {
     static char text[TEXT];

@@ -1,6 +1,6 @@
 #version 330 core
-// The scene of engine_4.frag on a wooden floor. The picture repeats every 2 units, and its texels
-// are already decoded to linear light.
+// The scene of engine_4.frag on a wooden floor. The picture of the wood repeats every 2 units, and its
+// texels are already decoded to linear light.
 
 in vec2 FragCoord;
 uniform vec3 CamPos, Ex, Ey, Ez; // position of the eye; right, up and forward
