@@ -1,13 +1,13 @@
-// bound.c - how close a march comes to the smallest sufficient number of evaluations. The number
-// that shaders/cover.glsl finds is compared with closed forms, and with bounds from the chapters'
-// scenes in double precision.
+// bound.c - how close a march comes to the smallest sufficient number of evaluations. The smallest
+// number that shaders/cover.glsl finds is compared with closed forms, and with bounds from the
+// chapters' scenes in double precision.
 #include "lib/test.h"
 #include "lib/bound.h"
 
 // ---- Closed forms ----
 
 // The values are chosen so that rounding cannot change any number of evaluations.
-TEST(test_a_plane_by_its_formula)
+TEST(test_counts_for_a_plane_follow_the_formula)
 {
     const double slopes[] = {0.97, 0.8, 0.6, 0.45, 0.3, 0.2, 0.12, 0.08, -0.05, -0.2, -0.5, -0.85};
     for (size_t i = 0; i < sizeof slopes / sizeof *slopes; i++) {
@@ -21,12 +21,12 @@ TEST(test_a_plane_by_its_formula)
                       slopes[i], hit ? "hit" : "miss", answer[0], march, answer[1], least);
         assert_int_equal(answer[0], march);
         assert_int_equal(answer[1], least);
-        double ratio = cover_plane_ratio(slopes[i]); // the limit of march / least
+        double ratio = cover_plane_ratio(slopes[i]); // the limit of march / least as both grow
         assert_true(fabs(answer[0] - ratio * answer[1]) <= 1.0 + 2.0 * ratio);
     }
 }
 
-TEST(test_past_a_ball_by_its_formula)
+TEST(test_counts_past_a_ball_follow_the_formula)
 {
     for (double gap = 1.7; gap > 0.002; gap /= 2.3) {
         int answer[2], march = cover_ball_march(gap, 4.2), least = cover_ball_least(gap, 4.2);
@@ -65,7 +65,7 @@ static void check_chapter(int chapter)
     bound_measure(&bound_cases[chapter], 2, sums);
     all = total(sums);
     double ratio = (double)all.march / all.least;
-    print_message("# %s: %d rays take %d evaluations; the fewest are %d to %d, by the shader %d "
+    print_message("# %s: %d rays take %d evaluations; the fewest are %d to %d; the shader finds %d "
                   "(outside the bounds for %d rays); ratio %.3f, at least %.3f for every ray; "
                   "slope at most %.6f; %d rays ran out of steps\n",
                   bound_cases[chapter].stem, all.rays, all.march, all.least, all.most, all.shader,
@@ -75,11 +75,11 @@ static void check_chapter(int chapter)
     assert_int_equal(all.given_up, 0);
     assert_int_equal(all.differ, 0);
     // No march takes fewer evaluations than the lower bound, and the samples determine the smallest
-    // number to two per cent.
+    // number of evaluations to within two per cent.
     assert_int_equal(all.below, 0);
     assert_true(all.smallest >= 1.0);
     assert_true(all.most - all.least <= 0.02 * all.least);
-    // --benchmark prints the shader's number.
+    // The shader's number is the one that --benchmark prints.
     assert_true(all.shader >= all.least && all.shader <= all.most);
     assert_true(all.astray <= all.rays / 100);
     // No theorem bounds the ratio from above; in these chapters it stays below 2.2.
@@ -87,17 +87,17 @@ static void check_chapter(int chapter)
     assert_true(all.rays > 70);
 }
 
-TEST(test_chapter_03)
+TEST(test_marches_of_chapter_03_are_near_the_bound)
 {
     check_chapter(0);
 }
 
-TEST(test_chapter_06)
+TEST(test_marches_of_chapter_06_are_near_the_bound)
 {
     check_chapter(1);
 }
 
-TEST(test_chapter_09)
+TEST(test_marches_of_chapter_09_are_near_the_bound)
 {
     check_chapter(2);
 }

@@ -22,8 +22,8 @@ static float *numbers_of(int function, const struct period_limits *limits)
                     (const float[4]){limits->period, limits->reach, limits->first, limits->last});
 }
 
-// GLSL's mod takes the floor of the quotient and C's fmod truncates it, so the two differ for
-// negative numbers.
+// GLSL's mod takes the floor of the quotient and C's fmod truncates it, so for a positive divisor
+// the two differ for every negative number that is not a multiple of the divisor.
 TEST(test_mod_is_not_fmod)
 {
     const struct period_limits two = {2.0f, 0.0f, 0.0f, 0.0f};
@@ -113,7 +113,7 @@ static double chi_square(const float *values, double shift)
 
 // The largest correlation between a number of one cell and a number of a cell up to two away, or
 // between two numbers of one cell. A number has a correlation of 1 / 64 or 1 / 4096 with its
-// fraction after the first 6 or 12 bits; in one cell, this value is subtracted.
+// fraction after the first 6 or 12 bits; for two numbers of one cell, this value is subtracted.
 static double worst_correlation(const float *values)
 {
     const double shift[3] = {1.0, 64.0, 4096.0};

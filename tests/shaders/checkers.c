@@ -4,10 +4,10 @@
 #include "lib/checkers.h"
 
 // With samples at the centres of a grid's cells, each edge of a square contributes an error of up
-// to half a cell. With 64 cells per side, that is 2 / 255 or more, so such a grid is not accurate
-// to 1 / 255. With 4096 per side it is. So are 64 x 64 samples with no common rows or columns if
-// the pixel sees at most a hundred squares; in the last rows below the horizon, a pixel sees
-// thousands.
+// to half a cell. With 64 cells per side, that is about 2 / 255 for each edge, so such a grid is
+// not accurate to 1 / 255. With 4096 per side it is. So are 64 x 64 samples with no common rows or
+// columns if the pixel sees at most a hundred squares; in the last rows below the horizon, a pixel
+// sees thousands.
 static const int fine = 4096, coarse = 64;
 static const double few = 100.0;
 
@@ -42,7 +42,7 @@ static void check_view(const struct checkers_view *view)
     assert_true(off <= 1.0 / 255.0);
 }
 
-TEST(test_against_samples)
+TEST(test_checkers_agree_with_samples)
 {
     for (int i = 0; i < 3; i++)
         check_view(&checkers_views[i]);

@@ -1,7 +1,7 @@
 // For sky.c: chapter 09's distance at pseudorandom points, and whether its sky is a valid colour. iTime selects the
 // result: below 1, a point as a fraction of the sampled box; below 2, the distance there; below 3, the tree's distance
-// at two points, and the distance between them; from 3 on, whether the sky is valid. All results are in [0, 1], which
-// main() preserves.
+// at two points, and the distance between them; from 3 on, whether the sky is valid. All results are in [0, 1], so
+// main() does not clamp them.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "09_sky_and_sunset.frag"

@@ -15,7 +15,7 @@ static const double earth = 6371.0;
 
 // ---- The layer ----
 
-// The distance to the point at which a ray reaches an altitude, km, found by bisection.
+// The distance, in km, to the point at which a ray reaches an altitude, found by bisection.
 static double hit_by_halving(double height, double climb, double altitude)
 {
     double low = 0.0, high = 20000.0;
@@ -59,9 +59,9 @@ TEST(test_layer_is_where_the_ray_meets_it)
 }
 
 // Straight up, the distance to the layer is the difference of heights; horizontally from the
-// ground, it is the square root of 2 R a + a^2. The test prints the page's numbers for a layer at a
-// height of 1.2 km.
-TEST(test_layer_at_its_ends)
+// ground, it is the square root of 2 R a + a^2. The test prints numbers for
+// docs/20_clouds_and_weather.md, for a layer at a height of 1.2 km.
+TEST(test_layer_distances_are_exact_overhead_and_at_the_horizon)
 {
     static const double degrees[] = {0.5, 1.0, 2.0, 5.0, 30.0};
     for (int i = 0; i < 5; i++) {
@@ -91,10 +91,10 @@ TEST(test_the_centre_sees_the_same_point)
     free(seen);
 }
 
-// Clouds see the sun after it has set on the ground: at a cloud, the ray that grazes the Earth
-// makes an angle of acos(R / (R + a)) with the horizontal. The approximation sqrt(2 a / R) has a
-// relative error of 5/12 a / R. The shader adds it to the sine of the height h instead of to h,
-// which adds a relative error of h^2 / 2.
+// Clouds see the sun after it has set on the ground: at an altitude of a, the ray that grazes the
+// Earth makes an angle of acos(R / (R + a)) with the horizontal. The approximation sqrt(2 a / R)
+// has a relative error of 5/12 a / R. The shader adds this angle to the sine of the sun's height h
+// instead of to h, which adds a relative error of h^2 / 2.
 TEST(test_clouds_see_the_sun_longer)
 {
     for (float a = 0.5f; a < 13.0f; a *= 2.0f) {
@@ -119,7 +119,7 @@ static double turn_apart(double a, double b)
     return fabs(d - floor(d + 0.5));
 }
 
-TEST(test_places_are_angles)
+TEST(test_panorama_positions_are_angles)
 {
     const float width[4] = {0.002f};
     float *directions = gpu_call(SHADER, WIDE, HIGH, DIRECTION, width);
@@ -131,8 +131,8 @@ TEST(test_places_are_angles)
         double level = hypot(d.x, d.z), height = atan2(d.y, level), w = (double)width[0];
         worst = fmax(worst, turn_apart((double)v[0], atan2(d.z, d.x) / (2.0 * MIRROR_PI)));
         worst = fmax(worst, fabs((double)v[1] - sqrt(2.0 * height / MIRROR_PI)));
-        // The expected footprint: in u from the slope along the horizon, in v from the difference
-        // over half a pixel to each side.
+        // The expected footprint is computed, in u, from the slope along the horizon and, in v,
+        // from the difference over half a pixel to each side.
         double u = w / level / (2.0 * MIRROR_PI);
         double up = sqrt(2.0 * (height + 0.5 * w) / MIRROR_PI) -
                     sqrt(2.0 * fmax(height - 0.5 * w, 0.0) / MIRROR_PI);
@@ -188,7 +188,7 @@ TEST(test_panoramas_have_no_seam)
 
 // ---- Clouds ----
 
-TEST(test_clouds_over_clouds)
+TEST(test_clouds_over_clouds_follow_the_formula)
 {
     const float none[4] = {0.0f};
     float *values = gpu_call(SHADER, WIDE, HIGH, OVER, none);
@@ -198,8 +198,8 @@ TEST(test_clouds_over_clouds)
 }
 
 // At every hour and in every direction, a cloud sends at least a quarter of the skylight from the
-// share that it covers. The article's colour is negative when the sun is more than 31.9 degrees
-// below the horizon.
+// share that it covers. The grey of the article's clouds at night, 0.95 + 1.8 sin(height of the
+// sun), is negative when the sun is more than 31.9 degrees below the horizon.
 TEST(test_clouds_are_never_darker_than_black)
 {
     for (int hour = 0; hour < 24; hour++) {
@@ -221,9 +221,10 @@ TEST(test_clouds_are_never_darker_than_black)
 
 // ---- Weather ----
 
-// An overcast sky is three times as bright overhead as at the horizon. The sum over the hemisphere,
-// weighted with the cosine of the angle to the zenith, is pi times the white. The sum uses the
-// midpoint rule in y = sin h, where the solid angle is 2 pi dy.
+// An overcast sky is three times as bright overhead as at the horizon. Its light, summed over the
+// hemisphere and weighted with the cosine of the angle to the zenith, is pi times the white that
+// the shader is given. The sum uses the midpoint rule in y = sin h, where the solid angle is
+// 2 pi dy.
 TEST(test_overcast_sky_keeps_its_light)
 {
     const float white[4] = {0.7f, 1.0f, 2.0f};
@@ -253,7 +254,7 @@ TEST(test_weather_runs_from_fair_to_bad)
     assert_true(more[1] == 1.0f && more[4 * 500 + 1] == 0.0f);
     assert_true(more[0] > 4.0f * more[4 * 500]);
     // The sun's disc is 46,000 times as bright as a white wall perpendicular to its rays, and yet
-    // invisible in the bad sky.
+    // it is invisible in the worst weather.
     assert_true(more[2] < 1e-6f && more[4 * 500 + 2] == 1.0f);
     for (int i = 0; i <= 500; i += 50) {
         const float *v = shares + 4 * i, *w = more + 4 * i;

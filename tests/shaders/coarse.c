@@ -1,12 +1,12 @@
-// coarse.c - tests of the coarse pass. By brute force in double precision, no ray of a block meets
-// anything before its start, and pictures of a wire half a pixel wide differ with and without the
-// pass only where a ray grazes the scene.
+// coarse.c - tests of the coarse pass. Brute force in double precision checks that no ray of a
+// block meets anything before the block's start. Pictures of a wire half a pixel wide may differ
+// with and without the pass only where a ray grazes the scene.
 #include "lib/test.h"
 #include "lib/coarse.h"
 
-// Follow a ray until the scene is nearer than the margin, in steps that can never miss such a
-// point. Returns the distance along the ray, or infinity if there is no such point before the
-// limit.
+// Follow a ray to the first point where the scene is nearer than coarseMargin, in steps that cannot
+// pass this point. Returns the distance along the ray, or infinity if there is no such point before
+// the limit.
 static double reach(const struct coarse_scene *scene, const struct renderer_inputs *inputs,
                     struct mirror_ray ray, double limit)
 {
@@ -64,7 +64,8 @@ static struct camera any_camera(void)
     return camera;
 }
 
-// Counts and sums over the blocks of pictures.
+// Counts and sums over the blocks of pictures. Here, a ray meets something where the scene is
+// nearer than coarseMargin.
 struct starts {
     int rays;          // rays that were followed
     int early;         // rays that meet something before the start of their block
@@ -111,7 +112,7 @@ static void look_at_picture(double orthographic, int width, int height, struct s
 
 // The views are perspective, parallel and two in between. Only some of the pictures consist of
 // whole blocks.
-TEST(test_nothing_is_before_the_start)
+TEST(test_nothing_is_before_the_start_of_a_block)
 {
     static const int sizes[][2] = {{96, 56}, {67, 37}, {160, 45}, {5, 3}, {1, 1}};
     static const double views[] = {0.0, 0.4, 0.9, 1.0};
@@ -122,8 +123,8 @@ TEST(test_nothing_is_before_the_start)
         for (size_t i = 0; i < 25; i++)
             look_at_picture(views[v], sizes[i % 5][0], sizes[i % 5][1], &starts);
         print_message(
-            "# orthographic %g: of %d rays, %d meet something before their start; on average, the "
-            "starts are at %.3f of the distance to the first meeting\n",
+            "# orthographic %g: of %d rays, %d meet something before the start of their block; on "
+            "average, a block starts at %.3f of the distance to the first meeting\n",
             views[v], starts.rays, starts.early, starts.start / starts.met);
         assert_int_equal(starts.early, 0);
         assert_true(starts.start > 0.75 * starts.met);
@@ -136,7 +137,7 @@ TEST(test_nothing_is_before_the_start)
 struct course {
     bool meets;  // the ray meets the scene
     bool nears;  // the scene comes nearer to the ray than the margin
-    bool grazes; // the scene comes nearer, and recedes again before the ray meets anything
+    bool grazes; // the scene comes nearer than the margin, and recedes before the ray meets it
 };
 
 static struct course course_of(const struct coarse_scene *scene,
@@ -188,9 +189,9 @@ static float *wire_picture(const struct renderer_inputs *inputs, bool pass)
     return gpu_numbers(inputs);
 }
 
-// The number of pixels in which only one picture shows something, or only one shows the wire. Such
-// a pixel is allowed only where the ray comes nearer to the scene than the margin and then moves
-// away again: there, one march may stop and the other may step past.
+// The number of pixels in which only one of the two pictures shows anything, or only one shows the
+// wire. Such a pixel is allowed only where the ray comes nearer to the scene than the margin and
+// then moves away again: there, one march may stop and the other may step past.
 static int differences_of(const struct coarse_scene *scene, const struct renderer_inputs *inputs,
                           const float *a, const float *b)
 {
@@ -225,9 +226,9 @@ static void check_wire(double growth, double lean, double orthographic)
         free(with);
         free(without);
     }
-    print_message(
-        "# growth %g, lean %g, orthographic %g: %d pixels differ, %d holes (%d without the pass)\n",
-        growth, lean, orthographic, differ, holes, alone_holes);
+    print_message("# growth %g, lean %g, orthographic %g: %d pixels differ, %d holes in the wire "
+                  "(%d without the pass)\n",
+                  growth, lean, orthographic, differ, holes, alone_holes);
     assert_true(differ < 49 * COARSE_WIDE * COARSE_HIGH / 2000); // 0.05 %
     assert_true(growth == 0.0 || holes == 0);
 }

@@ -1,6 +1,6 @@
 // combine.c - union, intersection and subtraction of two balls on the GPU, compared with the
-// distance to the remaining parts of their surfaces in double precision; and the depth and the
-// shares of smooth unions.
+// distance to the remaining parts of their surfaces in double precision. The depth and the shares
+// of smooth unions are tested too.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -10,11 +10,12 @@ enum { UNION, INTERSECTION, SUBTRACTION, SMOOTH, QUADRATIC };
 enum { ROWS = 128, ITEMS = 256 * ROWS };
 
 // Half the distance between the centres, the width of the blend, the step of the differences, and
-// the radius. The distance and the radius are those of the discs in the experiment 04_bounds.
+// the radius. The distance and the radius are those of the discs in the experiment 04_bounds.frag.
 static const float sizes[4] = {0.7f, 0.625f, 0.0078125f, 1.0f};
 static const double shift = (double)0.7f, blend = 0.625, step = 0.0078125, radius = 1.0;
 
-// An upper bound on the rounding errors of a distance, of its cube, and of a point's coordinates.
+// An upper bound on the rounding errors of a distance, of the cube in a smooth union, and of a
+// point's coordinates.
 static const double slack = 2e-6;
 
 static float *values_of(int operation)
@@ -98,8 +99,9 @@ TEST(test_subtraction_is_exact_inside_and_a_bound_outside)
     check_bound(SUBTRACTION, true);
 }
 
-// The page computes the distances at two points: above the lens, and in the middle of the union.
-TEST(test_the_points_of_the_page)
+// docs/04_hue_colour.md computes the distances at two points: above the lens, and in the middle of
+// the union.
+TEST(test_the_page_states_the_right_distances)
 {
     struct d3 above = {0.0, 2.0, 0.0}, origin = {0.0, 0.0, 0.0};
     assert_true(fabs(surface_distance(above, INTERSECTION) - 1.286) < 5e-4);
@@ -108,7 +110,7 @@ TEST(test_the_points_of_the_page)
     assert_true(fabs(shift - radius - -0.3) < 5e-4);
 }
 
-TEST(test_all_are_1_lipschitz)
+TEST(test_all_combinations_are_1_lipschitz)
 {
     for (int operation = UNION; operation <= QUADRATIC; operation++) {
         float *values = values_of(operation);

@@ -1,5 +1,5 @@
 #version 330 core
-// For combine.c: two equal balls combined, at random points, with a second point near each point.
+// For combine.c: combinations of two equal balls at random points, each with a second point near it.
 //
 // Each item takes 4 pixels of a row: (p, f(p)), (q, f(q)), (a, b, the share of b, -), and the smooth union at
 // (a + h, b), (a - h, b), (a, b + h), (a, b - h). Time is the operation; iMouse contains half the distance between the

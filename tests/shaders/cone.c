@@ -1,5 +1,5 @@
 // cone.c - shaders/cone.glsl along random rays on the GPU, compared with the same marches in double
-// precision; and the interval of a tetrahedron, compared with the points inside it.
+// precision. The interval of a tetrahedron is compared with the points inside it.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -50,7 +50,7 @@ static double distance_of(int scene, struct d3 p)
 
 // ---- marchCone ----
 
-TEST(test_without_spread_it_is_march)
+TEST(test_march_cone_without_spread_is_march)
 {
     for (int scene = BALL; scene <= PYRAMID; scene++) {
         float *values = call(scene, 0.001f, 0.0f, 200.0f);
@@ -109,7 +109,7 @@ static void check_cone(int scene, float threshold, float spread)
     assert_true(decided > ITEMS * 9 / 10 && hits > ITEMS / 10 && worst < 0.001);
 }
 
-TEST(test_it_stops_where_the_footprint_begins)
+TEST(test_march_cone_stops_where_the_footprint_begins)
 {
     for (int scene = BALL; scene <= PLANE; scene++) {
         check_cone(scene, 0.001f, 0.01f);
@@ -118,7 +118,7 @@ TEST(test_it_stops_where_the_footprint_begins)
     }
 }
 
-TEST(test_steps_run_out)
+TEST(test_march_cone_runs_out_of_steps)
 {
     float *values = call(BALL, 0.0001f, 0.0001f, 5.0f);
     int given_up = 0;
@@ -168,7 +168,7 @@ static double clearance(struct mirror_ray ray)
     return d3_length(mirror_at(ray, nearest)) - 1.0;
 }
 
-TEST(test_share_of_the_light)
+TEST(test_cone_reaching_gives_the_share_of_the_light)
 {
     const double threshold = 0.01, spread = 0.03;
     float *values = call(BALL, (float)threshold, (float)spread, 200.0f);
@@ -203,7 +203,7 @@ static bool is_inside(struct d3 p)
 }
 
 // A point of a ray is inside the tetrahedron if, and only if, it is between the entry and the exit.
-TEST(test_interval_contains_what_is_inside)
+TEST(test_interval_contains_the_points_inside)
 {
     float *values = call(BALL, 0.001f, 0.0f, 1.0f);
     int hits = 0;

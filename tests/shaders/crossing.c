@@ -28,7 +28,8 @@ static struct crossing march_of(const float *values, int row, int number)
     return (struct crossing){(double)v[0], v[1] > 0.5f, (double)v[2]};
 }
 
-// March to CASES objects with both marches. Returns four numbers per march, which the caller frees.
+// March towards CASES objects with both marches. Returns four numbers per march, which the caller
+// frees.
 //   aside  distance of the point from the ray
 //   start  each march begins at a random t in [0, start), or, for a point, that far in front of it
 static float *marches(int function, double aside, double start)
@@ -59,7 +60,7 @@ static double ball_distance(int number, double t)
 
 // In front of a wall, marchCrossing ends exactly at the threshold, wherever it began; marchCone may
 // end anywhere within the threshold.
-TEST(before_a_wall_it_is_exact)
+TEST(a_march_to_a_wall_ends_exactly_at_the_threshold)
 {
     float *values = marches(WALL, 0.0, 4.0);
     double worst = 0.0, cone = 0.0;
@@ -80,10 +81,10 @@ TEST(before_a_wall_it_is_exact)
     assert_true(worst < 4e-6 && cone > 0.5);
 }
 
-// In front of a ball, the march ends where 0.7 r <= d <= r, because the distance is convex along
-// the ray; the end is close to the point where d = r. The second derivative of d is at most
-// 1 / (1 + d).
-TEST(before_a_ball_it_is_near)
+// In front of a ball, the march ends where 0.7 r <= d <= r for the distance d and the threshold r,
+// because the distance is convex along the ray; the end is close to the point where d = r. The
+// second derivative of d is at most 1 / (1 + d).
+TEST(a_march_to_a_ball_ends_near_the_threshold)
 {
     float *values = marches(BALL, 0.0, 4.0);
     double worst = 0.0, sum = 0.0, cone = 0.0;
@@ -104,7 +105,7 @@ TEST(before_a_ball_it_is_near)
 
 // From two starts on the same ray, marchCrossing ends at nearly the same point, but marchCone at
 // two different points.
-TEST(another_start_ends_at_the_same_point)
+TEST(a_march_from_another_start_ends_at_the_same_point)
 {
     float *first = marches(BALL, 0.0, 0.0), *second = marches(BALL, 0.0, 4.0);
     double apart[2] = {0.0, 0.0};
@@ -123,7 +124,7 @@ TEST(another_start_ends_at_the_same_point)
 
 // marchCrossing never steps over a point that is within 0.988 thresholds of the ray, and never
 // finds a point that is more than 1 threshold away. marchCone misses some of the former.
-TEST(thin_things_are_found)
+TEST(thin_objects_are_found)
 {
     int passed = 0;
     for (int k = 0; k < 2; k++) {
@@ -144,7 +145,7 @@ TEST(thin_things_are_found)
 
 // Along these rays, the distance falls to a minimum and rises again; some of the minima are
 // negative. The march never passes a minimum of less than 0.7 thresholds, and never returns a point
-// with a distance of less than 0.7 times the threshold half a unit before.
+// with a distance of less than 0.7 times the threshold that applies half a unit before this point.
 TEST(no_surface_is_passed)
 {
     float *values = marches(SLOPES, 0.0, 4.0);
@@ -168,8 +169,8 @@ TEST(no_surface_is_passed)
     assert_true(hits > 1000 && misses > 500);
 }
 
-// On average, marchCrossing takes at most three evaluations more than marchCone.
-TEST(it_takes_little_more)
+// On average, marchCrossing takes at most three more evaluations than marchCone.
+TEST(the_march_takes_few_more_evaluations)
 {
     float *values = marches(WALL, 0.0, 4.0);
     double sum[2] = {0.0, 0.0};

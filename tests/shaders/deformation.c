@@ -28,7 +28,7 @@ static struct d3 bent(struct d3 p, double rate)
     return m3_turned(d3(0.0, 0.0, 1.0), rate * p.x, p);
 }
 
-// The largest singular value of a map's derivative at a point, from differences.
+// The largest singular value of a map's derivative at a point, from central differences.
 static double stretch_at(map function, struct d3 p, double rate)
 {
     const double h = 1e-5;
@@ -58,8 +58,8 @@ static double stretch_in_cylinder(map function, double rate, double radius, int 
     return largest;
 }
 
-// The largest |f(p) - f(q)| / |p - q| over random pairs of points of the same cylinder, which never
-// exceeds the largest stretch.
+// The largest |f(p) - f(q)| / |p - q| over random pairs of points of the cylinder of
+// stretch_in_cylinder. This ratio never exceeds the largest stretch.
 static double stretch_of_pairs(map function, double rate, double radius, int axis)
 {
     double largest = 0.0;
@@ -108,7 +108,7 @@ TEST(test_twist_stretches_as_stated)
 {
     check_deformation("twist", TWIST, twisted, 1);
     float *values = ask(TWIST, 1.0f, 1.0f, 0.0f);
-    // The stretch is the golden ratio, not sqrt(2).
+    // With a rate and a radius of 1, the stretch is the golden ratio, not sqrt(2).
     assert_true(fabs((double)values[3] - 0.5 * (1.0 + sqrt(5.0))) < 1e-6);
     free(values);
 }
@@ -118,7 +118,7 @@ TEST(test_bend_stretches_as_stated)
     check_deformation("bend", BEND, bent, 2);
 }
 
-// The length of a function's gradient at p, from differences.
+// The length of a function's gradient at p, from central differences.
 static double slope(double (*function)(struct d3), struct d3 p)
 {
     const double h = 1e-5;

@@ -1,8 +1,8 @@
 #version 330 core
 // For numeric.c: the library's distances at random points, with a second point near each of them.
 //
-// Each item takes 4 pixels of a row: (p, f(p)), (q, f(q)), and twice the slope of f at p from differences, with its
-// length. Time selects the function; iMouse contains the sizes of the solid.
+// Each item takes 4 pixels of a row: (p, f(p)), (q, f(q)), and, in each of the last two, the slope of f at p from
+// central differences and its length. Time selects the function; iMouse contains the sizes of the solid.
 
 in float Time;
 out vec4 FragColor;

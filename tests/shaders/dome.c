@@ -37,8 +37,8 @@ static void judge(const char *what, const float *values, int sunset, int night)
             for (int azimuth = 0; azimuth < AZIMUTHS; azimuth++) {
                 double here = shown(values, hour, azimuth, row);
                 darkest = fmin(darkest, here);
-                // By day, when there are no stars, compare the sky from 80 degrees on with the ring
-                // 5 degrees lower.
+                // By day, when there are no stars, compare the sky above 80 degrees with the ring 5
+                // degrees lower.
                 if (row >= 320 && hour > 16 && hour < 48)
                     spot = fmax(spot, here / (mean_of(values, hour, row - 20, row - 19) + 0.02));
             }
@@ -52,7 +52,7 @@ static void judge(const char *what, const float *values, int sunset, int night)
     assert_true(darkest > 1.0 / 255.0 && spot < 1.65 && rise < 0.01);
 }
 
-TEST(the_sky_of_chapter_20_at_every_hour)
+TEST(the_sky_of_chapter_20_is_smooth_and_never_black)
 {
     float *values =
         chapter_numbers("20_clouds_and_weather", DIRECTION
@@ -62,7 +62,7 @@ TEST(the_sky_of_chapter_20_at_every_hour)
     free(values);
 }
 
-TEST(the_sky_of_chapter_21_at_every_hour)
+TEST(the_sky_of_chapter_21_is_smooth_and_never_black)
 {
     for (int weather = 0; weather < 3; weather++) {
         char body[900], what[64];

@@ -15,7 +15,9 @@ TEST(the_edges_of_every_formula_are_finite_and_right)
         bool good =
             right <= -1e9 ? isfinite(value) : fabs(value - right) <= 2e-3 * fmax(fabs(right), 0.1);
         if (!good)
-            print_message("# case %d of edges.frag is %.7g instead of %.7g\n", i, value, right);
+            print_message(
+                "# case %d of edges.frag is %.7g instead of %.7g (-1e+09: any finite value)\n", i,
+                value, right);
         wrong += good ? 0 : 1;
     }
     free(values);

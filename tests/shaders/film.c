@@ -28,7 +28,7 @@ static double through_opening(double x, double y, double f, double r)
     return sum;
 }
 
-TEST(the_light_falls_off_as_the_fourth_power)
+TEST(the_light_falls_off_as_the_fourth_power_of_the_cosine)
 {
     for (float focal = 0.5f; focal < 5.0f; focal *= 2.0f) {
         const float numbers[4] = {focal};
@@ -143,8 +143,8 @@ TEST(a_dither_has_each_step_once)
     assert_true(worst <= 1.0 / 128.0 + 1e-6 && undithered > 0.49);
 }
 
-// The numbers of chapter 15's picture with one parameter set, before they are rounded. The caller
-// frees them.
+// The colours of chapter 15's picture with one parameter set and without dithering, before they are
+// rounded. The caller frees them.
 static float *picture_with(const char *setting)
 {
     struct renderer_inputs inputs = {.width = 80, .height = 45, .samples = 1};
@@ -155,7 +155,7 @@ static float *picture_with(const char *setting)
 }
 
 // With punch = 1, a smoothstep is applied to the encoded values, not to the light.
-TEST(punch_is_a_contrast_of_numbers)
+TEST(punch_is_a_contrast_of_encoded_values)
 {
     float *plain = picture_with("punch=0"), *punched = picture_with("punch=1");
     for (int i = 0; i < 80 * 45; i++)

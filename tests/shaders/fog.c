@@ -8,7 +8,7 @@
 enum { DECAY, DEPTH, SKY, INVERSE, LIGHT, HORIZON, LAMP, BEAM };
 
 // Air whose density falls with the height. Below are the density along a ray, and the integral of
-// this density with Simpson's rule over count slices.
+// this density, computed with Simpson's rule over count slices.
 struct air {
     double height, density, scale;
 };
@@ -81,8 +81,9 @@ TEST(the_depth_is_the_sum_of_thin_slices)
 
 // The ray descends from a height of 200 scales, where the density is 0 as a float, to a height
 // where it is not. Computed from the upper end, the depth would be 0 times infinity. The height of
-// the lower end has 200 times the rounding error of a float.
-TEST(a_way_from_far_above_has_a_depth)
+// the lower end is a difference of numbers near 200, so its rounding error is about 200 times that
+// of a number near 1.
+TEST(a_path_from_far_above_has_a_depth)
 {
     const float numbers[4] = {200.0f, 0.5f, 1.0f};
     float *values = gpu_call(SHADER, 32, 26, DEPTH, numbers);
@@ -117,7 +118,7 @@ TEST(the_sky_is_seen_through_a_finite_fog)
     }
 }
 
-TEST(a_place_has_the_depth_that_was_asked_for)
+TEST(a_point_has_the_depth_that_was_asked_for)
 {
     double worst = 0.0;
     for (int k = 0; k < AIRS - 1; k++) {
@@ -171,8 +172,8 @@ TEST(the_horizon_is_the_fog)
 }
 
 // The test adds up thin slices of 1 / distance^2, with the lamp 0.05 farther from the ray than it
-// is.
-TEST(the_light_round_a_lamp_is_the_sum_of_thin_slices)
+// really is.
+TEST(the_light_around_a_lamp_is_the_sum_of_thin_slices)
 {
     static const float rays[][4] = {
         {0.0f, 0.3f, -4.0f, 3.0f}, {0.0f, 0.3f, -4.0f, 4.2f}, {2.0f, -1.0f, 3.0f, 1000.0f}};
@@ -199,8 +200,8 @@ TEST(the_light_round_a_lamp_is_the_sum_of_thin_slices)
     assert_true(worst < 2e-4);
 }
 
-// Where a ray crosses a beam at right angles, its light follows a bell curve across the beam,
-// divided by the beam's width. The light is zero if the ray ends before the beam.
+// Where a ray crosses a beam at right angles, the beam's light follows a bell curve across the
+// beam, divided by the beam's width. The light is zero if the ray ends before the beam.
 TEST(a_beam_is_as_wide_as_it_says)
 {
     const float far[4] = {9.0f}, near[4] = {4.4f};

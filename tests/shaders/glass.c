@@ -25,7 +25,7 @@ enum {
 
 // ---- A surface ----
 
-TEST(the_mirrored_share_is_fresnel_s)
+TEST(the_reflected_share_is_that_of_fresnel)
 {
     static const float etas[] = {1.0f / 1.333f, 1.0f / 1.5168f, 1.0f / 1.7283f,
                                  1.333f,        1.5168f,        2.4f};
@@ -43,7 +43,7 @@ TEST(the_mirrored_share_is_fresnel_s)
 }
 
 // The share of the light that passes through a surface is the same in both directions along a ray.
-TEST(both_sides_mirror_the_same)
+TEST(both_sides_reflect_the_same_share)
 {
     for (double c = 0.02; c < 1.0; c += 0.02) {
         double behind = sqrt(1.0 - (1.0 - c * c) / (1.5 * 1.5));
@@ -76,8 +76,8 @@ struct through {
     bool done;
 };
 
-// The path of a ray that meets the ball at the distance `offset` from the ball's axis and leaves
-// the ball again, marched in double precision.
+// The path of a ray that meets the ball at the distance `offset` from the z axis and leaves the
+// ball again, marched in double precision.
 static struct through ball_marched(double offset, double turn, double index, double threshold,
                                    double start)
 {
@@ -99,8 +99,9 @@ static struct through ball_marched(double offset, double turn, double index, dou
     return way;
 }
 
-// The larger error of the direction and of the length inside. On the analytical path, the ray is
-// deflected by 2 (i - j) towards the axis, and its path inside the ball is 2 cos(j) long.
+// The larger of two errors: of the direction, and of the length of the path inside the ball. On the
+// analytical path, with the angles of incidence i and of refraction j, the ray is deflected by
+// 2 (i - j) towards the axis, and its path inside the ball is 2 cos(j) long.
 static double ball_error(struct through way, double offset, double turn, double index)
 {
     double i = asin(offset), j = asin(offset / index), bend = 2.0 * (i - j);
@@ -108,7 +109,7 @@ static double ball_error(struct through way, double offset, double turn, double 
     return fmax(d3_length(d3_sub(way.left, left)), fabs(way.inside - 2.0 * cos(j)));
 }
 
-TEST(ten_thousand_rays_go_through_a_ball)
+TEST(ten_thousand_rays_follow_the_analytical_path_through_a_ball)
 {
     const double threshold = 1e-9, index = 1.5168;
     double worst = 0.0;
@@ -124,7 +125,7 @@ TEST(ten_thousand_rays_go_through_a_ball)
 
 // If the start is half a threshold off the surface, every march inside ends where it starts; if it
 // is 2.5 thresholds off, none does.
-TEST(a_start_too_near_is_stranded)
+TEST(a_march_that_starts_too_near_is_stranded)
 {
     const double threshold = 1e-4;
     int stranded[2] = {0, 0};
@@ -144,7 +145,7 @@ static double half_space(struct d3 p)
 
 // Above a flat face, each step multiplies the height by 1 + sin(angle), so a ray that leaves at a
 // small angle runs out of steps.
-TEST(a_flat_leave_runs_out_of_steps)
+TEST(a_ray_that_leaves_at_a_small_angle_runs_out_of_steps)
 {
     const double threshold = 0.0004, start = 2.5 * threshold, to_height_1[2] = {0.0, 1e9};
     for (int i = 1; i < 40; i++) {
@@ -158,7 +159,7 @@ TEST(a_flat_leave_runs_out_of_steps)
     }
 }
 
-TEST(the_library_goes_the_same_way)
+TEST(the_library_follows_the_same_path)
 {
     const float numbers[4] = {1.5168f, 0.0001f, 2.5f};
     float *values = gpu_call(SHADER, 500, 16, BALL, numbers);
@@ -191,7 +192,7 @@ TEST(nothing_gets_out_beyond_the_critical_angle)
             first = total && first == 0.0 ? angle : first;
         }
         free(values);
-        print_message("# index %.4f: total reflection from %.2f degrees on, by the formula %.2f\n",
+        print_message("# index %.4f: total reflection from %.2f degrees on (formula: %.2f)\n",
                       (double)indices[k], first, critical);
         assert_true(fabs(first - critical) < 0.02);
     }
@@ -233,8 +234,8 @@ TEST(a_straight_ray_meets_both_surfaces)
 
 // ---- The light behind a ball ----
 
-// Every plane behind the ball receives all the light that enters within 0.96 of the radius, minus
-// the reflected part. The light that enters farther out is the share that the header of
+// Every plane behind the ball receives all the light that enters within 0.96 radii of the axis,
+// minus the reflected part. The light that enters farther out is the share that the header of
 // caustic.glsl states.
 TEST(no_light_is_lost_behind_a_ball)
 {
@@ -262,7 +263,7 @@ TEST(no_light_is_lost_behind_a_ball)
 
 // No light arrives at planes up to 0.9 radii behind the ball's centre, because every ray leaves the
 // ball at least 0.98 radii behind the centre.
-TEST(no_light_comes_before_it_has_left_the_ball)
+TEST(no_light_arrives_before_it_has_left_the_ball)
 {
     for (int k = 1; k < 10; k++) {
         const float numbers[4] = {1.5168f, 0.1f * (float)k, 0.02f};
@@ -273,8 +274,9 @@ TEST(no_light_comes_before_it_has_left_the_ball)
     }
 }
 
-// The expected light comes from rays that are traced one by one and counted in rings of r.
-// ballCaustic spreads the light of each ring of b evenly, so the two agree only roughly.
+// The expected light comes from rays that enter at the distance b from the axis, are traced one by
+// one, and are counted in rings of their distance r from the axis behind the ball. ballCaustic
+// spreads the light of each ring of b evenly, so the two agree only roughly.
 TEST(the_light_behind_a_ball_is_that_of_many_rays)
 {
     enum { RINGS = 12, RAYS = 200000 };
@@ -309,7 +311,7 @@ TEST(the_light_behind_a_ball_is_that_of_many_rays)
 // If the distances at two points never differ by more than the distance between the points, then no
 // part of the surface is nearer than a shape's distance claims, inside or outside. The test
 // compares 4096 points with 2341 points.
-TEST(the_tumbler_bounds_the_depth)
+TEST(the_distance_to_the_tumbler_bounds_the_depth)
 {
     const float numbers[4] = {2.0f};
     float *values = gpu_call(SHADER, 64, 64, DEPTH, numbers);
@@ -384,7 +386,7 @@ TEST(clear_glass_in_a_white_world_is_white)
         before = rest;
     }
     assert_true(rest.mean < 0.015 &&
-                rest.pixels < 0.02); // some rays are mirrored again and again near an edge
+                rest.pixels < 0.02); // some rays are reflected again and again near an edge
 }
 
 TESTS(gpu_setup, gpu_teardown)

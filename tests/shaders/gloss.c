@@ -53,7 +53,7 @@ static void check(int number, gloss_model *model, double cosine, double roughnes
     assert_true(sum <= 1.0 + 1e-3 && albedo <= 1.0 + 1e-3);
 }
 
-TEST(test_highlights_and_their_energy)
+TEST(test_highlights_and_their_energy_agree_with_double)
 {
     for (size_t i = 0; i < sizeof cosines / sizeof cosines[0]; i++)
         for (size_t k = 0; k < sizeof roughnesses / sizeof roughnesses[0]; k++) {
@@ -74,8 +74,8 @@ TEST(test_an_eye_behind_the_surface_sees_no_highlight)
     }
 }
 
-// gloss_albedo, whose half vectors follow the highlight, is compared with a plain sum over the
-// hemisphere.
+// gloss_albedo, whose half vectors are distributed like the highlight, is compared with a plain sum
+// over the hemisphere.
 TEST(test_the_integral_is_the_sum)
 {
     enum { SIDE = 1000 };
@@ -95,9 +95,9 @@ TEST(test_the_integral_is_the_sum)
         }
 }
 
-// On a grid of both parameters, no model sends back more light than arrives; and the projected
-// areas of the mirrors of GGX add up to 1.
-TEST(test_no_light_is_made)
+// On a grid of roughnesses and of cosines to the eye, no model sends back more light than arrives.
+// The projected areas of the tiny mirrors that GGX assumes add up to 1.
+TEST(test_no_model_creates_light)
 {
     double most[2] = {0.0, 0.0};
     for (double roughness = 0.1; roughness < 1.01; roughness += 0.15)
@@ -106,7 +106,7 @@ TEST(test_no_light_is_made)
             most[0] = fmax(most[0], gloss_albedo(gloss_ggx, r, r, c));
             most[1] = fmax(most[1], gloss_albedo(gloss_blinn_phong, gloss_exponent(r), r, c));
         }
-    print_message("# largest share sent back: GGX %.5f, Blinn and Phong %.5f\n", most[0], most[1]);
+    print_message("# largest share sent back: GGX %.5f, Blinn-Phong %.5f\n", most[0], most[1]);
     assert_true(most[0] <= 1.0 + 1e-3 && most[1] <= 1.0 + 1e-3);
     float *values = values_of(0, 0.6, 0.8);
     double area = 0.0;
@@ -116,9 +116,10 @@ TEST(test_no_light_is_made)
     assert_true(fabs(area - 1.0) < 1e-3);
 }
 
-// As the page says, the usual factor creates light. The library's factor sends back all the light
-// that arrives along the normal.
-TEST(test_the_usual_factors)
+// As docs/11_materials.md says, with the usual factor (n + 8) / (8 pi) a surface can send back more
+// light than arrives. With the library's factor, it sends back exactly the light that arrives along
+// the normal.
+TEST(test_the_usual_factor_creates_light)
 {
     double usual = 0.0, at = 0.0;
     for (double n = 1.0; n < 60.0; n += 1.0) {

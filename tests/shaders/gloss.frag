@@ -1,5 +1,5 @@
 #version 330 core
-// For gloss.c: highlights on a surface with the normal (0, 0, 1), for lights over the half-sphere.
+// For gloss.c: highlights on a surface with the normal (0, 0, 1), for lights in all directions of the hemisphere.
 //
 // A pixel is a direction of light: its column is the rotation about the normal, its row the cosine of the angle to the
 // normal. Time is the model; iMouse contains the cosine of the angle between the normal and the eye, the parameter, and

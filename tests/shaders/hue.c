@@ -48,14 +48,14 @@ static double worst_hue(int function, int rows, int count)
     return worst;
 }
 
-TEST(test_3600_hues)
+TEST(test_3600_hues_match_the_definition)
 {
     double worst = worst_hue(0, 4, 3600);
     print_message("# 3600 hues: worst channel off by %.2g\n", worst);
     assert_true(worst < 1e-6);
 }
 
-TEST(test_hues_of_several_turns)
+TEST(test_hues_of_several_turns_match_the_definition)
 {
     double worst = worst_hue(1, 4, 4096);
     print_message("# -1024 to 1024 degrees: worst channel off by %.2g\n", worst);
@@ -79,7 +79,7 @@ TEST(test_knees_are_exact)
 }
 
 // The largest channel is the value, and the smallest is less than it by saturation times value.
-TEST(test_saturation_and_value)
+TEST(test_saturation_and_value_set_the_channels)
 {
     float *values = values_of(2, 4);
     double worst = 0.0;

@@ -1,7 +1,8 @@
 // land.c - shaders/land.glsl and water.glsl compared with double precision: noise on the plane as a
 // slice of noise in space, slopes and the step that closes a gap, the mean of the waves over a
-// pixel, and the total light of the glitter. Also the land of chapter 21: its distance compared
-// with a search for the nearest land, and the share of the sun that it hides.
+// pixel, and the total light of the glitter. The land of chapter 21 is tested too: its distance is
+// compared with a search for the nearest land, and the share of the sun that it hides is compared
+// with rays.
 #include "lib/test.h"
 #include "lib/chapter.h"
 #include "lib/noise.h"
@@ -193,8 +194,8 @@ static double shore(double x, double z)
     return 0.26 - 0.17 * sqrt(a * a + b * b + 0.04);
 }
 
-// A lower and an upper bound on the ridges from their first count octaves: the sum of these,
-// without and with the remaining weights.
+// A lower and an upper bound on the ridges, from their first count octaves: the sum of these
+// octaves, without and with the remaining weights, times the first octave.
 static void detail(double x, double z, int count, double *least, double *most)
 {
     double u = cells * x + 31.2, v = cells * z + 9.9, weight = 1.0 - gain, sum = 0.0, rest = 1.0;
@@ -220,8 +221,9 @@ static double land(double x, double z)
     return fmax(base + ridges * fmax(base - foot, 0.0) * most, shore(x, z));
 }
 
-// The distance to the land: the largest of the bounds for all directions, or the bound for the
-// shore if that is smaller.
+// The distance to the land, as landDistance of chapters/valley.glsl computes it with ALL_WAYS: the
+// largest of the bounds from the hills and from each octave, or the bound for the shore if that is
+// smaller.
 static double land_distance(struct d3 p)
 {
     double base = hills(p.x, p.z), high = ridges * fmax(base - foot, 0.0);
@@ -310,8 +312,8 @@ static struct d3 sun_at(double hour)
               sin(p) * sin(d) + cos(p) * cos(d) * cos(h), -cos(d) * sin(h));
 }
 
-// The smallest ratio of the gap below a ray to the distance along the ray, over the land of the
-// first octave, found in small steps. The search ends where the ray first meets the land.
+// The smallest ratio of the gap below a ray to the distance along the ray, over land with the first
+// octave only, found in small steps. The search ends where the ray first meets the land.
 static double skyline(struct d3 p, struct d3 direction)
 {
     double least = 1e9;

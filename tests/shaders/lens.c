@@ -21,8 +21,8 @@ static float *means(int width, int height, int samples, int function, const floa
 
 // ---- The lens ----
 
-// All rays that the lens sends towards a point in focus meet there; at other depths, they are as
-// far apart as the cone from the lens to the point is wide.
+// All rays that the lens sends towards a point in focus meet at this point; at other depths, they
+// are as far apart as the cone from the lens to the point is wide.
 TEST(rays_meet_in_the_plane_in_focus)
 {
     static const double depths[] = {4.0, 1.0, 2.5, 9.0, 40.0};

@@ -8,7 +8,8 @@ static int setup(void **state)
     return gpu_setup(state) == 0 && levels_open() ? 0 : -1;
 }
 
-// The largest difference between two readings, or infinity if one is NULL. Frees both.
+// The largest difference between two readings; it is infinity if one of them is NULL. Frees both
+// readings.
 static double apart(float *a, float *b)
 {
     double largest = HUGE_VAL;
@@ -43,10 +44,11 @@ TEST(test_level_is_the_logarithm_of_the_texels)
 }
 
 // Without a level, a pixel shows one point of the part that it covers, so its error grows with the
-// footprint. With the level, the error is at most 0.67 of that from 4 texels on, 0.55 from 8 texels
-// on, and a quarter from 32 texels on. Four times the footprint is worse than the right one at
-// every size, and a quarter of it is worse from 8 texels on. About half of it, which is sharper, is
-// better, because level L blurs over more than 2^L texels.
+// footprint. With the level that fits the footprint, the error is at most 0.67 times as large from
+// 4 texels on, 0.55 times from 8 texels on, and 0.25 times from 32 texels on. A footprint four
+// times as large gives a larger error at every size, and a footprint a quarter as large does so
+// from 8 texels on. A footprint of about half the size, which is sharper, gives a smaller error,
+// because level L blurs over more than 2^L texels.
 TEST(test_level_is_nearer_to_what_is_covered)
 {
     double last = 0.0;

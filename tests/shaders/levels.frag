@@ -1,7 +1,7 @@
 // For levels.c: the mean over the part of a picture that a pixel covers, as the levels give it. Each of the 32 x 32
 // pixels reads the picture at a different point, which is the same in every run. iTime selects how the picture is read:
-// with the footprint's two sides, at a level, or with footprintOn. iMouse contains the sides in repeats of the picture
-// or the level (x, y), a factor of the footprint (z), and the sine of the angle between a ray and the floor (w).
+// with the footprint's two sides, at a level, or with footprintOn. iMouse contains the sides, in repeats of the
+// picture, or the level (x, y), a factor of the footprint (z), and the sine of a ray's angle to the floor (w).
 #include "main.glsl"
 #include "camera.glsl"
 #include "texture.glsl"

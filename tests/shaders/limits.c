@@ -29,8 +29,8 @@ TEST(no_sheet_is_passed_with_the_proved_threshold)
 }
 
 // The proved threshold is not far too large: with a sixteenth of it, more than a quarter of the
-// rays pass through the sheet, from a distance of 100 on.
-TEST(sheets_are_passed_with_a_sixteenth)
+// rays pass through the sheet if its middle is at x = 100 or farther away.
+TEST(sheets_are_passed_with_a_sixteenth_of_the_threshold)
 {
     for (int sheet = 0; sheet < LIMITS_SHEETS; sheet++)
         for (int i = 2; i < SCALES; i++) {

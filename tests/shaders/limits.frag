@@ -18,7 +18,7 @@ const float SIZE = 1.2;                   // no point of a sheet is farther than
 int number;
 vec3 middle;
 
-// The value, computed such that no compiler can combine it with other terms.
+// The value, computed so that no compiler can combine it with other terms.
 vec3 opaque(vec3 v)
 {
     return uintBitsToFloat(floatBitsToUint(v) ^ uvec3(iMouse.w));

@@ -39,7 +39,7 @@ static double steepest_slope(const struct scene *scene)
     return steepest;
 }
 
-TEST(test_no_distance_changes_faster_than_one_moves)
+TEST(test_no_distance_changes_faster_than_the_point_moves)
 {
     for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++) {
         double steepest = steepest_slope(&scenes[i]);
@@ -49,7 +49,8 @@ TEST(test_no_distance_changes_faster_than_one_moves)
     }
 }
 
-// Chapter 20 clips the rays to its coast to two boxes. No part of the coast is outside them.
+// When chapter 20 marches towards its coast, it clips each ray to two boxes. No part of the coast
+// above the sea is outside these boxes.
 TEST(test_the_boxes_contain_the_coast)
 {
     float *values = chapter_numbers(

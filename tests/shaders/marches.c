@@ -155,7 +155,7 @@ TEST(no_sound_march_misses_anything_in_the_chapters)
 
 // ---- Costs ----
 
-TEST(costs_of_a_known_picture)
+TEST(costs_of_a_known_picture_are_right)
 {
     int evaluations[16 * 8];
     double t[16 * 8], true_t[16 * 8];

@@ -7,7 +7,7 @@
 static void assert_near(double got, double expected, double share)
 {
     if (!(fabs(got - expected) <= share * fabs(expected)))
-        fail_msg("%g instead of %g, to within %g %%", got, expected, 100.0 * share);
+        fail_msg("%g instead of %g (allowed difference: %g %%)", got, expected, 100.0 * share);
 }
 
 // The numbers are worst cases over a set of points, so a few more points change them by a few per
@@ -23,7 +23,7 @@ TEST(test_normal_error_has_two_sides)
         assert_true(e.central <= 1.05 * (e.central_truncation + e.rounding));
         assert_true(e.forward <= 1.05 * (e.forward_truncation + e.rounding));
     }
-    // Where the truncation error dominates, it agrees with Taylor's series.
+    // Where the truncation error dominates, the measured error agrees with Taylor's series.
     assert_near(measure_normal(0.1).central, measure_normal(0.1).central_truncation, 0.02);
     assert_near(measure_normal(0.1).forward, measure_normal(0.1).forward_truncation, 0.02);
 }
@@ -44,7 +44,7 @@ static void differences_at(struct d3 n, double step, double difference[CURVES][3
 }
 
 // The root mean square of the truncation errors, in degrees, at the points at which the experiment
-// measures it.
+// 01_normal_error.frag measures the errors.
 static void truncation(double h, double error[CURVES])
 {
     double squares[CURVES] = {0.0, 0.0};
@@ -63,8 +63,8 @@ static void truncation(double h, double error[CURVES])
         error[k] = sqrt(squares[k] / CURVE_POINTS) * 180.0 / MIRROR_PI;
 }
 
-// The angle, in degrees, that a curve shows in a column of the 640x360 picture: from the mean
-// height of the pixels that are yellow (central) or blue (forward).
+// The angle, in degrees, that a curve shows in a column of the 640x360 picture. It is computed from
+// the mean height of the pixels that are yellow (central) or blue (forward).
 static double drawn_angle(const float *pixel, int column, int curve)
 {
     double sum = 0.0, weight = 0.0;
@@ -79,10 +79,10 @@ static double drawn_angle(const float *pixel, int column, int curve)
     return pow(10.0, 6.0 * sum / weight / 360.0 - 4.0);
 }
 
-// The truncation error is known. The rounding error is a constant divided by h. It is mostly that
-// of a coordinate near 10, a multiple of 2^-20, to which the error of the driver's square root is
-// added. If a compiler subtracts the 10 first, only the rounding error of a length near 1 remains,
-// which can be as small as a sixteenth.
+// The truncation error is known. The rounding error is a constant divided by h. Most of the
+// constant comes from a coordinate near 10, which is rounded to a multiple of 2^-20; the driver's
+// square root adds the rest. If a compiler subtracts the 10 first, only the rounding error of a
+// length near 1 remains, and the constant can be as small as a sixteenth of its usual value.
 TEST(test_drawn_normal_error_is_truncation_and_rounding)
 {
     const double rounding[CURVES] = {5.7e-6, 6.7e-6}; // degrees times h
@@ -109,13 +109,13 @@ TEST(test_steps_to_a_plane_follow_the_formula)
         int answer[2], moves = measure_plane_formula(angle, 0.001);
         assert_int_equal(measure_plane_moves(angle, 0.001), moves);
         bound_ask(sin(angle * MIRROR_PI / 180.0), 0.0, 100.0, 0.001, answer);
-        assert_true(answer[0] >= moves &&
-                    answer[0] <= moves + 2); // the library counts one more, up to rounding
+        // The library counts one more; rounding may change its count by one.
+        assert_true(answer[0] >= moves && answer[0] <= moves + 2);
     }
     assert_int_equal(measure_plane_moves(90.0, 0.001), 1);
     assert_near(measure_plane_limit(60, 0.01), 4.3, 0.01);
-    // A march takes one evaluation more than it makes moves. Just above the limit, the evaluations
-    // are enough; just below, they are not.
+    // A march takes one more evaluation than it makes moves. Just above the limiting angle, the
+    // evaluations are enough; just below it, they are not.
     for (int evaluations = 60; evaluations <= 256; evaluations *= 2) {
         double limit = measure_plane_limit(evaluations, 0.001);
         assert_true(measure_plane_moves(1.001 * limit, 0.001) + 1 <= evaluations);
@@ -190,7 +190,7 @@ TEST(test_normal_at_the_foot_is_near)
     assert_near(measure_foot(0.27, 5e-4), 3.39, 0.02);
 }
 
-// Counting pixels gives the radius to about 0.1 pixels.
+// Counting pixels gives the radius to within about 0.1 pixels.
 TEST(test_threshold_fattens_the_outline)
 {
     for (double threshold = 0.001; threshold < 0.2; threshold *= 3.0)

@@ -1,6 +1,7 @@
-// night.c - shaders/night.glsl compared with double precision: the light of the stars with a sum
-// over all stars, the light of a star while the sky turns, the uniform distribution of the stars,
-// the phases of the moon by counting points, and dusk with published values.
+// night.c - tests of shaders/night.glsl in double precision. The light of the stars is compared
+// with a sum over all stars, the phases of the moon with counts of points, and dusk with published
+// values. The light of a star must stay the same while the sky turns, and the stars must be
+// uniformly distributed.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -81,7 +82,7 @@ TEST(test_a_star_keeps_its_light_while_the_sky_turns)
     for (int i = 0; i < STAR_COUNT; i++)
         star[i] = stars_all()[i];
     qsort(star, STAR_COUNT, sizeof *star, brighter);
-    for (int k = 0; k < 4; k++) { // the four brightest stars, in a window nearly flat around each
+    for (int k = 0; k < 4; k++) { // the four brightest stars; the window is nearly flat around each
         struct d3 p = star[k].direction;
         double ends[2];
         float look[4] = {0.0028f, (float)p.z, (float)atan2(p.y, p.x)};
@@ -176,7 +177,7 @@ TEST(test_cubes_crowd_towards_the_diagonal)
                 sum += fabs(p.x) + fabs(p.y) + fabs(p.z);
                 weight += 1.0;
             }
-        print_message("# cubes per square of their side, around %s: %.3f; by the formula %.3f\n",
+        print_message("# cubes per square of their side, around %s: %.3f (formula: %.3f)\n",
                       around[c], (double)count[c] / area, sum / weight);
         assert_true(fabs((double)count[c] / area / (sum / weight) - 1.0) < 0.01);
     }
@@ -194,14 +195,13 @@ TEST(test_counts_follow_their_law)
     }
     for (int m = 2; m < 9; m++) {
         double law = STAR_COUNT * pow(10.0, 0.51 * (m - 1.0 - 7.607));
-        print_message("# stars brighter than magnitude %d: %d; by the law %.0f\n", m - 1, count[m],
-                      law);
+        print_message("# stars brighter than magnitude %d: %d (law: %.0f)\n", m - 1, count[m], law);
         assert_true(fabs(count[m] - law) < 3.5 * sqrt(law));
     }
 }
 
-// The colours by Wien's law, relative to green, compared with those by Planck's law, over the full
-// range of the stars' temperatures.
+// The colours from Wien's law, relative to green, are compared with those from Planck's law at
+// three temperatures that span the range of the stars' temperatures.
 TEST(test_colours_are_nearly_those_of_a_black_body)
 {
     for (int k = 0; k < 3; k++) {
@@ -290,8 +290,9 @@ TEST(test_the_lit_share_is_that_of_the_cosine)
         double angle = 2.0 * MIRROR_PI * age / 29.530589, truth = 0.5 - 0.5 * cos(angle);
         worst = fmax(worst, fmax(fabs(lit / disc - truth), fabs((double)values[2] - truth)));
         if (age % 5 == 0 || age == 3)
-            print_message("# age %2d days: %.4f of the disc is lit, (1 + cos) / 2 = %.4f\n", age,
-                          lit / disc, truth);
+            print_message("# age %2d days: %.4f of the disc is lit, (1 + cos g) / 2 = %.4f for the "
+                          "phase angle g\n",
+                          age, lit / disc, truth);
         free(values);
     }
     print_message("# lit share: off by at most %.1g\n", worst);
@@ -371,9 +372,10 @@ TEST(test_moonlight_is_the_light_of_the_face)
     print_message("# off by at most %.0f %%; a half moon gives %.1f %% of the full moon's light\n",
                   100.0 * worst, 100.0 * exp(-0.94 * radians(90.0)) * ball_light(radians(90.0)));
     assert_true(worst < 0.12);
-    // In lux: the value times pi times 4000 cd/m2, the unit of light.
+    // To convert to lux, multiply by pi and by 4000 cd/m2, the unit of light.
     double lux = 2.5e-5 * MIRROR_PI * 4000.0, allen = 2.54e-6 * pow(10.0, 0.4 * 12.73);
-    print_message("# full moon: %.3f lx above the air, %.3f lx by Allen's magnitude\n", lux, allen);
+    print_message("# full moon: %.3f lx above the air, %.3f lx from Allen's magnitude\n", lux,
+                  allen);
     assert_true(fabs(lux / allen - 1.0) < 0.03);
     free(values);
 }
@@ -399,7 +401,8 @@ TEST(test_dusk_is_as_bright_as_measured)
         assert_true(fabs((double)values[4 * i + 3] + 0.58 * log2(light)) < 1e-3);
     }
     free(values);
-    values = gpu_call(SHADER, 19, 1, 5, (const float[4]){1.0f}); // the table of the page
+    // Print the table of docs/19_moon_and_stars.md.
+    values = gpu_call(SHADER, 19, 1, 5, (const float[4]){1.0f});
     for (int depth = 0; depth <= 18; depth += 3) {
         const float *v = values + 4 * depth;
         print_message("# sun %2d degrees down: %.3g cd/m2, faintest star %.1f, %.1f stops\n", depth,

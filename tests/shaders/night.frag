@@ -33,7 +33,7 @@ void main()
     } else if (Time < 2.0) {
         vec3 direction = patchDirection(iMouse);
         FragColor = vec4(direction, 1e9 * starLight(direction, iMouse.x).g);
-    } else if (Time < 3.0) { // starLight of the same pixel, in colour
+    } else if (Time < 3.0) { // the same as for Time 1, in all colour channels
         FragColor = vec4(1e9 * starLight(patchDirection(iMouse), iMouse.x), 0.0);
     } else if (Time < 4.0) { // iMouse: latitude; one direction in the stars' frame, for hours from -12 to 36
         float hour = number * 48.0 / 1023.0 - 12.0;

@@ -140,9 +140,10 @@ static double stretch_of_pairs(struct noise (*function)(struct d3), int pairs)
     return largest;
 }
 
-// In a product of probability spaces, the variance is at least that of its first-order part. The
-// bound therefore needs only one inequality: slope^2 <= 4 (15/8)^2 fade (1 - fade).
-TEST(test_the_lemma_of_the_fade)
+// In a product of probability spaces, the variance of a function is at least that of its
+// first-order part. The bound therefore needs only one inequality:
+// slope^2 <= 4 (15/8)^2 fade (1 - fade).
+TEST(test_the_lemma_of_the_fade_is_true)
 {
     double largest = 0.0;
     for (int i = 1; i < 100000; i++) {
@@ -264,7 +265,7 @@ TEST(test_gradient_noise_has_its_constant)
 
 // The values are within the ranges that the comments of noise.glsl state, and come close to the
 // ends of the ranges.
-TEST(test_ranges)
+TEST(test_values_stay_in_the_stated_ranges)
 {
     double low = 1.0, high = 0.0, most = 0.0;
     srand(3);

@@ -102,8 +102,8 @@ TEST(test_distances_agree_with_double)
     }
 }
 
-// The distances to sphere, plane and box are exact everywhere. Those to frame and union are exact
-// outside; inside, their size is at most the depth.
+// The distances to the sphere, the plane and the box are exact everywhere. Those to the frame and
+// to the union are exact outside; inside, their absolute value is at most the depth.
 TEST(test_distances_are_exact_or_a_bound)
 {
     for (int k = 0; k < SIZES; k++) {
@@ -230,7 +230,7 @@ TEST(test_mean_of_encoded_lights_is_hardly_brighter)
     for (int i = 0; i < 200000; i++) {
         double light[8];
         int count = 2 + rand() % 7;
-        for (int k = 0; k < count; k++) { // in half of the sets, near the corner at every scale
+        for (int k = 0; k < count; k++) { // in half of the sets, 1e-15 to 1e-3 from the corner
             double u = rand() / (double)RAND_MAX, sign = rand() % 2 ? 1.0 : -1.0;
             light[k] = i % 2 ? u : corner + sign * pow(10.0, -3.0 - 12.0 * u);
         }
@@ -242,8 +242,8 @@ TEST(test_mean_of_encoded_lights_is_hardly_brighter)
     assert_true(worst > 0.5 * step);
 }
 
-// The share of unpolarised light that is reflected on the way from air into a medium of this index
-// of refraction: the mean over the two polarisations of the squared quotient of the amplitudes.
+// The share of unpolarised light from the air that is reflected at a medium of this index of
+// refraction: the mean over the two polarisations of the squared ratio of the amplitudes.
 static double fresnel(double facing, double index)
 {
     double inside = sqrt(1.0 - (1.0 - facing * facing) / (index * index));

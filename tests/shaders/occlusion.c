@@ -1,6 +1,6 @@
 // occlusion.c - shaders/occlusion.glsl and thickness.glsl: the visible share of the sky compared
-// with brute force in double precision, the claims that five taps prove and their errors, reflected
-// light, and paths inside solids.
+// with brute force in double precision, the claims that five taps prove, the errors of the taps,
+// reflected light, and paths inside solids.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/occlusion.h"
@@ -45,7 +45,7 @@ static bool ground_blocks(struct d3 direction, const void *unused)
     return direction.y < 0.0;
 }
 
-TEST(a_slope_sees_half_of_one_and_its_cosine)
+TEST(a_slope_sees_half_of_one_plus_its_cosine)
 {
     const float numbers[4] = {0.4f};
     float *values = gpu_call(SHADER, 32, 1, WALL, numbers);
@@ -89,7 +89,7 @@ TEST(directions_are_above_the_disc)
         for (int i = 0; i < 256 * 256; i++) {
             const float *v = values + 4 * i;
             struct d3 w = d3_of(v);
-            double u = (i % 256 + 0.5) / 256.0; // the square of the point's radius
+            double u = (i % 256 + 0.5) / 256.0; // the squared radius of the point on the disc
             assert_true(fabs(d3_length(w) - 1.0) < 1e-5);
             assert_true(fabs((double)v[3] * (double)v[3] - (1.0 - u)) < 1e-5 && v[3] >= 0.0f);
             sum = d3_add(sum, d3_times(1.0 / 65536.0, w));
@@ -101,8 +101,8 @@ TEST(directions_are_above_the_disc)
     }
 }
 
-// The mean over 16,384 points, each with different random rays, is the visible share to within
-// three standard errors.
+// The mean over 16,384 pixels, each with different random rays from the same point, is the visible
+// share to within three standard errors.
 TEST(the_mean_of_the_rays_is_the_visible_share)
 {
     enum { SIDE = 128, POINTS = SIDE * SIDE };
@@ -120,11 +120,11 @@ TEST(the_mean_of_the_rays_is_the_visible_share)
         double mean = sum / POINTS, variance = squares / POINTS - mean * mean;
         double truth = occlusion_truth(&scene), error = sqrt(variance / POINTS);
         print_message(
-            "# %d rays: mean %.4f, visible share %.4f; standard deviation at one point %.4f\n",
+            "# %d rays: mean %.4f, visible share %.4f; standard deviation of one pixel %.4f\n",
             side * side, mean, truth, sqrt(variance));
         assert_true(fabs(mean - truth) < 3.0 * error + 2e-4);
         random = side == 1 ? variance : random;
-        // The variance is less than that of random rays.
+        // The variance is less than that of as many independent random rays.
         assert_true(side == 1 || variance < 0.8 * random / (side * side));
     }
 }
@@ -137,7 +137,7 @@ static float *taps_of(int scene, float reach, float strength)
     return gpu_call(SHADER, 64, 1, TAPS, numbers);
 }
 
-TEST(an_open_floor_and_a_lone_ball_have_one)
+TEST(taps_on_an_open_floor_and_on_a_lone_ball_give_1)
 {
     static const float reaches[] = {0.1f, 1.0f, 5.0f, 7.3f};
     for (int k = 0; k < 4; k++) {
@@ -207,7 +207,7 @@ static bool near_ball_blocks(struct d3 w, const void *data)
     return half > 0.0 && t > 0.0 && t < near->reach;
 }
 
-// If a tap finds a distance of its whole height h, at least the share 1 - (r / 2 h)^2 of the
+// If a tap finds a distance of its whole height h, at least the share 1 - (r / (2 h))^2 of the
 // directions is free up to the distance r, whatever ball touches the tap's empty ball from outside.
 // If everything except the tap's ball is solid, exactly this share is free.
 TEST(a_whole_tap_proves_a_share_free)
@@ -228,7 +228,7 @@ TEST(a_whole_tap_proves_a_share_free)
         assert_true(seen > share - coarse);
         least = fmin(least, seen);
     }
-    assert_true(least < 0.9); // some of the balls hide much
+    assert_true(least < 0.9); // some of the balls hide much of the sky
 }
 
 TEST(two_points_with_the_same_taps_see_half_and_nothing)
@@ -240,7 +240,7 @@ TEST(two_points_with_the_same_taps_see_half_and_nothing)
     assert_true(occlusion_brute(&wall, GRID) > 0.5 && occlusion_brute(&shaft, GRID) < 1e-4);
 }
 
-// The errors in the page's table, which build/tests/measure occlusion prints.
+// The errors in the table of docs/14_occlusion.md, which build/tests/measure occlusion prints.
 TEST(taps_err_as_the_page_says)
 {
     for (int thing = 0; thing <= OCCLUSION_BALL; thing++) {
@@ -266,7 +266,7 @@ TEST(a_white_furnace_stays_white)
     for (int bounces = 0; bounces <= 2; bounces++) {
         const float numbers[4] = {1.0f, 0.5f, 0.0f, (float)bounces};
         float *values = gpu_call(SHADER, 256, 1, BOUNCES, numbers);
-        // No point sees the sky: the quotient would be 0 / 0, but the result is 0.
+        // If no point sees the sky, the quotient would be 0 / 0, but the result is 0.
         assert_true(values[0] == 0.0f);
         for (int i = 1; i < 256; i++) {
             const float *v = values + 4 * i;
@@ -295,9 +295,9 @@ static bool hollow_blocks(struct d3 w, const void *data)
     return hollow->position.y - 2.0 * d3_dot(hollow->position, w) * w.y < hollow->height;
 }
 
-// Every point of the ball sees the same share of the sky: the share of its surface that the hole
-// takes up. All points therefore receive the same light, and after any number of reflections the
-// light is exactly that of skyAndBounces.
+// Every point of the ball sees the same share of the sky: the share of the ball's surface that the
+// hole takes up. All points therefore receive the same light, and after any number of reflections
+// the light is exactly that of skyAndBounces.
 TEST(in_a_hollow_ball_all_points_are_alike)
 {
     double height = 0.3, hole = 0.5 * (1.0 - height);
@@ -336,7 +336,7 @@ TEST(a_path_through_a_ball_is_its_chord)
 
 // Inside the union, the distance is only a lower bound of the depth, but the length of the path is
 // right.
-TEST(a_path_through_a_union_does_not_end_between)
+TEST(a_path_through_a_union_does_not_end_between_its_parts)
 {
     const float numbers[4] = {-1.5f, 0.1f, 9.0f, TWO_BALLS};
     float *values = gpu_call(SHADER, 126, 1, THICKNESS, numbers);
@@ -355,7 +355,7 @@ TEST(a_path_through_a_union_does_not_end_between)
     assert_true(both > 10);
 }
 
-TEST(light_falls_by_a_share_a_length)
+TEST(light_falls_by_the_same_share_for_each_length)
 {
     const float numbers[4] = {0.42f, 0.2f, 0.085f};
     float *values = gpu_call(SHADER, 200, 1, THROUGH, numbers);

@@ -7,7 +7,7 @@
 
 uniform int formula; // 0 in [0, 4]: nothing hides, taps of strength 1/2, taps, near taps count more, 1 - steps / 32
 
-// openByTaps with larger weights for the lower taps, as in the solution of exercise 1.
+// openByTaps with larger weights for the lower taps, as in the solution to exercise 14.1.
 float nearTaps(Surface surface)
 {
     float hidden = 0.0, sum = 0.0, weight = 1.0;

@@ -1,7 +1,7 @@
-// plane.c - the figures of shaders/plane.glsl and the results of combine.glsl's operations on them,
-// compared with the nearest point of the boundary, which a search in double precision finds. The
-// boundary comes only from the description of the figure; the test shares no formula with the
-// shader.
+// plane.c - the distances to the figures of shaders/plane.glsl and to the results of combine.glsl's
+// operations on them, compared with the distance to the nearest point of the boundary, which a
+// search in double precision finds. The boundary comes only from the description of the figure; the
+// test shares no formula with the shader.
 #include "lib/test.h"
 #include "lib/boundary.h"
 #include "lib/gpu.h"
@@ -127,8 +127,8 @@ static bool off_grown_dart(struct d2 p)
     return !in_dart(p) && dart_distance(p) > 0.125 - 1e-9;
 }
 
-// Add circles around the dart's corners, and its sides moved to either side. They contain the
-// boundary of the grown dart, and parts inside the grown dart.
+// Add circles around the dart's corners, and the dart's sides shifted to either side. These curves
+// contain the boundary of the grown dart, and also parts inside the grown dart.
 static void add_grown_dart(struct boundary *of)
 {
     for (int i = 0; i < 4; i++) {
@@ -321,7 +321,7 @@ TEST(test_onion_is_exact_outside_its_shell)
     check_figure(ONION, true, false);
 }
 
-TEST(test_union_intersection_and_subtraction)
+TEST(test_each_operation_is_exact_on_one_side)
 {
     check_figure(UNION, true, false);
     check_figure(INTERSECTION, false, true);
@@ -331,16 +331,16 @@ TEST(test_union_intersection_and_subtraction)
 // Halfway between two discs, the morph is a bound that is 0 on an ellipse. Outside, its error is 0
 // on the line through the centres, and grows perpendicular to this line towards the difference of
 // the semi-axes.
-TEST(test_morph_is_a_bound_and_no_distance)
+TEST(test_morph_is_a_bound_but_not_a_distance)
 {
     check_figure(MORPH, false, false);
     double a = 0.625, b = 0.375, far = 1000.0;
     assert_true(fabs((far - b) - (hypot(0.5, far) - a) - (a - b)) < 2e-4);
     assert_true(fabs((b - 0.0) - (a - 0.5) - 0.25) <
-                1e-12); // in the middle, the depth is 0.375 and the morph returns 0.125
+                1e-12); // in the middle, the depth is 0.375 and the morph returns -0.125
 }
 
-TEST(test_all_are_1_lipschitz)
+TEST(test_all_figures_are_1_lipschitz)
 {
     for (int which = CIRCLE; which <= MORPH; which++) {
         float *values = values_of(which);

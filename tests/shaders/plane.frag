@@ -1,7 +1,8 @@
 #version 330 core
 // For plane.c: the figures of plane.glsl and the results of operations on them, at random points. Each item takes 2
 // pixels of a row: a point with its distance, and another point, near or far, with its distance. Time selects the
-// function. The first points of every fourth item are on a lattice with a spacing of 1/16, which contains the corners.
+// function. The first point of every fourth item is on a lattice with a spacing of 1/16, which contains the corners of
+// the figures.
 
 in float Time;
 out vec4 FragColor;

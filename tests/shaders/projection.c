@@ -71,7 +71,8 @@ TEST(test_u_0_is_the_perspective_ray_to_the_bit)
     }
 }
 
-// projectionRay normalises the direction once more, so the result may differ by rounding.
+// projectionRay normalises the direction once more, so its result may differ from that of
+// orthographicRay by rounding.
 TEST(test_u_1_is_the_orthographic_ray)
 {
     assert_true(gpu_load(RAYS));
@@ -90,8 +91,8 @@ TEST(test_u_1_is_the_orthographic_ray)
     }
 }
 
-// Find where a ray crosses the plane perpendicular to the view at a depth, to the right of the axis
-// and above it.
+// Find where a ray crosses the plane that is perpendicular to the view at a depth. `at` receives
+// how far the crossing is to the right of the view's axis and above this axis.
 static void crossing(const struct view *view, struct d3 origin, struct d3 direction, double depth,
                      double at[2])
 {
@@ -105,7 +106,7 @@ static void crossing(const struct view *view, struct d3 origin, struct d3 direct
 
 // The largest error of a crossing, in half heights of the picture. At depth d, the ray through
 // (x, y) is at (x, y) mix(d, framing, u) / focalLength. On the framing plane it is therefore at the
-// same point for all u, and for u < 1 all rays meet at one point behind the camera, the eye.
+// same point for all u, and for u < 1 all rays meet at one point at or behind the camera, the eye.
 static double worst_crossing(const struct view *view, double u, double depth)
 {
     float *rays[2];
@@ -213,7 +214,7 @@ TEST(test_equal_plates_have_the_sizes_of_their_depths)
     }
 }
 
-// Find the edges of the white part of a row, to a fraction of a pixel, outwards from a column that
+// Find the edges of the white part of a row, to a fraction of a pixel, outwards from a pixel that
 // is completely white.
 static void row_edges(const float *values, int row, double edge[2])
 {
@@ -249,7 +250,8 @@ static void edge_angles(const float *values, int from, int to, double angle[2])
     }
 }
 
-// The position of a point of the world in the picture, in pixels, from the formula of the page.
+// The position of a point of the world in the picture, in pixels, from the formula of
+// docs/08_orthographic_view.md.
 static void project(const struct camera *camera, double u, struct d3 p, double at[2])
 {
     struct camera_basis basis = camera_basis_of(camera);

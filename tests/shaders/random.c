@@ -47,7 +47,8 @@ TEST(a_number_is_that_of_its_pixel_in_every_tile_and_band)
                 for (int k = 0; k < 3; k++) {
                     size_t at = 4 * ((size_t)inputs.width * (size_t)y + (size_t)x) + (size_t)k;
                     if ((double)values[at] != random_of(x, y, 0, dimensions[k]))
-                        fail_msg("size %zu, pixel %d,%d, dimension %d", i, x, y, dimensions[k]);
+                        fail_msg("size %zu: pixel %d,%d has a wrong number in dimension %d", i, x,
+                                 y, dimensions[k]);
                 }
         free(values);
     }
@@ -162,7 +163,7 @@ static void numbers_of(int sample, int dimension, double number[COUNT])
 // The mean of n numbers has a standard deviation of 1 / sqrt(12 n), and their second moment about
 // 1/2 has one of 1 / sqrt(180 n). A value is off by more than 4.5 standard deviations once in
 // 150,000 tries, and there are 108 values.
-TEST(their_mean_is_a_half_their_variance_a_twelfth)
+TEST(the_mean_of_numbers_is_a_half_and_their_variance_a_twelfth)
 {
     static double number[COUNT];
     double worst[2] = {0.0, 0.0};
@@ -222,7 +223,7 @@ enum { STEPS = sizeof steps / sizeof *steps };
 
 // If neighbours are independent, their measured correlation has a standard deviation of
 // 1 / sqrt(n), and their pairs fill the 16 x 16 bins of a square evenly. Pairs that depend on each
-// other without being correlated would not.
+// other without being correlated would not fill the bins evenly.
 TEST(neighbours_are_not_related)
 {
     double worst = 0.0, least = 0.0, most = 0.0;

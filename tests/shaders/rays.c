@@ -62,7 +62,7 @@ static void check_counts(const struct marched *m)
 }
 
 // A hit is at most threshold / |cos| in front of the surface: the ball is convex, so along the ray
-// its distance is at least that of the tangent plane at the true t.
+// the distance to it is at least the distance to its tangent plane at the true t.
 static void check_hit(const struct marched *m, double t, double cosine, double threshold)
 {
     double slack = slack_of(m) / cosine;

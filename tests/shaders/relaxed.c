@@ -96,7 +96,7 @@ TEST(no_surface_is_passed)
 
 // Where marchCone takes n evaluations, marchRelaxed takes at most n + 1. With a factor of up to
 // 1.5, it takes fewer in total.
-TEST(at_most_one_more)
+TEST(a_relaxed_march_takes_at_most_one_extra_evaluation)
 {
     const double threshold = 0.002;
     for (int k = 0; k < OMEGAS; k++) {
@@ -123,7 +123,7 @@ TEST(at_most_one_more)
 }
 
 // With omega 1, the relaxed march equals marchCone to the last bit.
-TEST(a_factor_of_one_is_the_march)
+TEST(a_relaxed_march_with_a_factor_of_1_is_march_cone)
 {
     for (int function = LINES; function <= POINTS; function++) {
         float *values = marches(function, 0.01f, 1.0f, 0.02f);
@@ -136,7 +136,7 @@ TEST(a_factor_of_one_is_the_march)
 
 // Neither marchRelaxed nor marchCone ever steps over a point that is nearer to the ray than 0.86
 // thresholds.
-TEST(thin_things_are_found)
+TEST(thin_objects_are_found)
 {
     const float threshold = 0.02f;
     for (int k = 0; k < OMEGAS; k++) {
@@ -152,9 +152,9 @@ TEST(thin_things_are_found)
     }
 }
 
-// Towards a wall, one step is too long and costs one evaluation more. Along a wall, the number of
+// Towards a wall, one step is too long and costs one extra evaluation. Along a wall, the number of
 // evaluations is divided by omega.
-TEST(the_worst_and_the_best_case)
+TEST(the_worst_and_the_best_case_cost_what_is_stated)
 {
     const float ahead[4] = {0.0f, 0.001f, 1.5f, 0.0f}, beside[4] = {0.1f, 0.001f, 1.6f, 0.0f};
     float *values = gpu_call(SHADER, CASES, 2, WALL, ahead);

@@ -51,7 +51,7 @@ static double tower(struct d3 q, int x, int z)
     return brute_box(d3(q.x, q.y - tall, q.z), d3(0.8, tall, 0.8));
 }
 
-// The distance from q, relative to the centre of the cell x, z, to the copy in this cell.
+// The distance from q to the copy in the cell x, z. q is relative to the centre of this cell.
 static double copy(int function, struct d3 q, int x, int z)
 {
     if (function <= LIMITED)
@@ -222,7 +222,8 @@ static double own_and_others(struct d3 p, double share)
     return fmin(tower_in(p, 2.0, x, z, share), cap);
 }
 
-// The smallest bound for the four towers of the block, which fill cells 1.6 wide, without cellWall.
+// The smallest of the bounds for four towers: that of p's cell and those of the three cells nearest
+// to p. The towers fill cells 1.6 wide. cellWall is left out.
 static double block_alone(struct d3 p, double share)
 {
     int x = (int)floor(p.x / 1.6 + 0.5), z = (int)floor(p.z / 1.6 + 0.5);
@@ -282,9 +283,9 @@ static void check_formula(const struct field *field, double (*distance)(struct d
     free(values);
 }
 
-// With the full distances, the copies that are evaluated only on one side of a wall are at or above
-// the cap there, so the result does not jump. With half of each distance, the result is also a
-// bound, but it jumps.
+// With the full distances, the distance to a copy that is evaluated only on one side of a wall is
+// at least as large as the cap there, so the result does not jump. With half of each distance, the
+// result is also a bound, but it jumps.
 TEST(test_the_cap_makes_the_distance_continuous)
 {
     check_formula(&(struct field){LONELY, {2.0f, 2.0f, 0.0f, 0.0f}}, own_and_others);
@@ -324,7 +325,7 @@ static double marched(double (*distance)(struct d3 p, double share), double shar
 
 // A bound that jumps is also safe: a march with half of each distance and the cap passes through no
 // tower. Without the cap, even a march with the full distances passes through some.
-TEST(test_a_march_with_a_bound_that_jumps)
+TEST(test_a_march_with_a_bound_that_jumps_is_safe)
 {
     int jumping = 0, uncapped = 0, hits = 0;
     for (int i = 0; i < 1500; i++) {

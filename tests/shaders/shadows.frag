@@ -1,5 +1,5 @@
 // For tests/lib/measure.c: the visible share of the sun in the scene of chapter 13, from one march (red) and from 1024
-// rays (blue). Both are 1 where no shadow is computed. The last formula is that of the solution of exercise 5.
+// rays (blue). Both are 1 where no shadow is computed. The last formula is that of the solution to exercise 13.5.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"
@@ -7,7 +7,7 @@
 
 uniform int formula; // 0 in [0, 4]: hard, smallest distance / t, pairs of steps, pairs twice as hard, continued inside
 
-// As in the solution of exercise 5: the smallest distance / t, from -spread to spread. A step is never shorter than
+// As in the solution to exercise 13.5: the smallest distance / t, from -spread to spread. A step is never shorter than
 // 0.01 + t / 50, so the march passes through the objects that it meets.
 float signedClearance(Ray ray, float far)
 {

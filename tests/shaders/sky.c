@@ -24,7 +24,7 @@ static double mass_at(double height)
     return shell_way(sin(height * MIRROR_PI / 180.0), 721.5);
 }
 
-TEST(test_air_mass_and_transmittance)
+TEST(test_air_mass_and_transmittance_agree_with_double)
 {
     float *values = sky(0, 1, 0.0f, 0.0f);
     double worst = 0.0;
@@ -44,8 +44,8 @@ TEST(test_air_mass_and_transmittance)
 }
 
 // F. Kasten, A. T. Young, 'Revised optical air mass tables', Applied Optics 28 (1989): a fit,
-// accurate to 0.1 %, to the air mass of a model atmosphere that refracts the rays. The height is
-// the apparent height of the sun.
+// accurate to within 0.1 %, to the air mass of a model atmosphere that refracts the rays. The
+// height is the apparent height of the sun.
 static double kasten_young(double height)
 {
     return 1.0 / (sin(height * MIRROR_PI / 180.0) + 0.50572 * pow(height + 6.07995, -1.6364));
@@ -73,12 +73,12 @@ TEST(test_air_mass_is_near_the_measured_one)
 // The integral of the sky's light assumes that a slanting path is the same multiple of the vertical
 // path at every height. In the shell, a horizontal ray has passed half of its air when it has risen
 // through a quarter of the shell.
-TEST(test_where_flat_layers_and_the_shell_part)
+TEST(test_flat_layers_and_the_shell_differ_along_a_level_ray)
 {
     double risen = sqrt(pow(721.5 + 0.25, 2.0) - pow(721.5, 2.0)), assumed = 0.25 * mass_at(0.0);
     print_message(
         "# a level ray that has risen through a quarter of the air: %.1f air masses in the shell, "
-        "%.1f by the assumption\n",
+        "%.1f according to the assumption\n",
         risen, assumed);
     assert_true(fabs(risen - 19.0) < 0.05 && fabs(assumed - 9.5) < 0.05);
 }
@@ -91,7 +91,7 @@ static double air_depth(double wavelength)
     return 0.008569 * x * x * (1.0 + 0.0113 * x + 0.00013 * x * x);
 }
 
-TEST(test_the_fourth_power_and_its_correction)
+TEST(test_the_depths_are_near_the_corrected_fourth_power)
 {
     double red = 0.1 * pow(550.0 / 680.0, 4.0), blue = 0.1 * pow(550.0 / 440.0, 4.0);
     double power = -log(air_depth(0.5501) / air_depth(0.5499)) / log(0.5501 / 0.5499);
@@ -112,10 +112,11 @@ TEST(test_the_fourth_power_and_its_correction)
         assert_true(fabs(code[i] / air_depth(wave[i]) - 1.0) < 0.035);
 }
 
-// The share of the sun's white light that remains, and the page's first model of the sky:
-// (0.5, 0.7, 1) times the transmittance of the air beyond one air mass. The model has more red than
-// blue only up to 10 degrees, and more red than green only up to 5 degrees.
-TEST(test_light_of_a_low_sun)
+// The share of the sun's white light that remains, and the first model of the sky in
+// docs/09_sky_and_sunset.md: (0.5, 0.7, 1) times the transmittance of the air beyond one air mass.
+// At the heights of the sun in this test, the model has more red than blue only up to 10 degrees,
+// and more red than green only up to 5 degrees.
+TEST(test_the_light_of_a_low_sun_is_red)
 {
     const double heights[] = {90.0, 46.4, 30.0, 10.0, 5.0, 2.0, 0.0};
     float *values = sky(0, 1, 0.0f, 0.0f);
@@ -137,7 +138,7 @@ TEST(test_light_of_a_low_sun)
     free(values);
 }
 
-// The integral in section 5 of the page, with Simpson's rule.
+// The integral in section 5 of docs/09_sky_and_sunset.md, computed with Simpson's rule.
 static double scattered(double depth, double v, double s)
 {
     enum { N = 2000 };
@@ -172,9 +173,10 @@ TEST(test_scattered_light_is_the_integral)
     }
 }
 
-// The page's table of the sky: the light scattered at noon and at sunset, overhead and at the
-// horizon. The blue of the zenith at sunset comes from the gain, not from the scattering.
-TEST(test_the_four_skies)
+// The table of the sky in docs/09_sky_and_sunset.md: the light scattered at noon and at sunset,
+// overhead and at the horizon. The blue of the zenith at sunset comes from the gain, not from the
+// scattering.
+TEST(test_the_four_skies_are_those_of_the_page)
 {
     const double depth[3] = {0.04, 0.1, 0.25}, gain[3] = {1.4, 1.75, 3.1};
     const char *const name[4] = {"noon, zenith", "noon, horizon", "sunset, zenith",
@@ -250,7 +252,7 @@ TEST(test_sun_runs_as_the_sphere_says)
 
 // At the hour of the chapter's picture, the sun is low and nearly in line with an avenue that runs
 // west.
-TEST(test_sun_of_the_picture)
+TEST(test_the_sun_of_the_picture_is_low_in_the_west)
 {
     float *values = sky(2, 1, 43.6f, 2.0f);
     const float *before = values + 4 * (int)(17.8 / 24.0 * 1024.0);
@@ -259,11 +261,12 @@ TEST(test_sun_of_the_picture)
         d3_add(d3_times(1.0 - share, d3_of(before)), d3_times(share, d3_of(before + 4)));
     double height = degrees(asin(sun.y)), aside = degrees(atan2(sun.x, -sun.z));
     free(values);
-    print_message("# at 17.8 h the sun is %.2f degrees high, %.2f north of west\n", height, aside);
+    print_message("# at 17.8 h the sun is %.2f degrees high, %.2f degrees north of west\n", height,
+                  aside);
     assert_true(fabs(height - 3.55) < 0.005 && fabs(aside + 0.62) < 0.005);
 }
 
-TEST(test_glow_and_disc)
+TEST(test_glow_and_disc_follow_their_formulas)
 {
     float *values = sky(3, 1, 0.0f, 0.0f);
     for (int i = 0; i < 1024; i++) {
@@ -286,7 +289,7 @@ static float *city(double time)
     return gpu_numbers(&inputs);
 }
 
-TEST(test_city_is_never_farther_than_it_says)
+TEST(test_city_is_never_nearer_than_its_distance_says)
 {
     assert_true(gpu_load("tests/shaders/city.frag"));
     float *positions = city(0.5), *distances = city(1.5);
@@ -332,8 +335,9 @@ TEST(test_trees_are_1_lipschitz)
 
 static struct probe probe; // too large for the stack
 
-// In the middle of the avenue, the distance is that of the cap: every step is half a street long.
-TEST(test_steps_down_the_avenue)
+// In the middle of the avenue, the distance is that of the cap: every step is as long as half the
+// width of a street.
+TEST(test_steps_down_the_avenue_are_half_a_street_wide)
 {
     struct renderer_inputs inputs = {
         .width = 1, .height = 1, .samples = 1, .camera = {.position = {3.0f, 5.0f, 0.0f}}};

@@ -19,10 +19,10 @@ static int setup(void **state)
 
 // ---- The integral ----
 
-// The integral of shaders/textures/air.h, with Simpson's rule and midpoints in the air up to 120
-// km, compared with Gauss-Legendre quadrature: the two agree to within 1.5 per cent of the
+// The integral of shaders/textures/air.h, which uses Simpson's rule and midpoints, is compared with
+// Gauss-Legendre quadrature in air up to 120 km. The two agree to within 1.5 per cent of the
 // brightest channel of the direction wherever there is visible light.
-TEST(test_program_integrates)
+TEST(test_the_program_integrates_the_light)
 {
     const double suns[] = {60.0, 20.0, 5.0, 1.0, -2.0, -4.0, -6.0, -8.0},
                  views[] = {1.0, 10.0, 40.0, 90.0};
@@ -59,10 +59,10 @@ TEST(test_tables_are_right_along_their_middles)
     }
 }
 
-// Between these middles, a model mixes the tables. By day, the result is also right to within one
-// step, but not when the sun is lower. The article's two methods have more than four times the mean
+// Between these middles, a model mixes the tables. By day, the result is right to within one step;
+// when the sun is lower, it is not. The article's two methods have more than four times the mean
 // error at every angle.
-TEST(test_between_the_tables)
+TEST(test_the_model_between_the_tables_is_better_than_the_article)
 {
     for (int angle = 45; angle <= 135; angle += 45) {
         double azimuth = cos(angle * MIRROR_PI / 180.0);
@@ -106,7 +106,7 @@ TEST(test_tables_agree_at_the_zenith)
 
 // ---- The closed forms ----
 
-TEST(test_sunlight_and_ambient_light)
+TEST(test_sunlight_and_ambient_light_are_near_the_integral)
 {
     float *direct = sky_table_read(0, 1, 1.0, false), *around = sky_table_read(0, 2, 1.0, false);
     assert_non_null(direct);
@@ -136,7 +136,7 @@ TEST(test_sunlight_and_ambient_light)
 
 // Each phase function equals its formula and sends on all of the light: its integral over all
 // directions is 1. The mean cosine of the dust is 0.76.
-TEST(test_phases_send_on_all)
+TEST(test_phase_functions_send_on_all_light)
 {
     enum { STEPS = 20000 };
     double sum[3] = {0.0};
@@ -236,7 +236,7 @@ TEST(test_twilight_is_as_bright_as_measured)
 // The light is compared with random paths, which use no grid, no orders of scattering and no mean
 // over directions. All the light of a direction agrees to within 13 % plus two standard errors.
 // With the sun at or above the horizon, the light scattered once agrees to within 4 %.
-TEST(test_program_against_random_paths)
+TEST(test_the_program_agrees_with_random_paths)
 {
     enum { WAVE = 8, COUNT = 30000 };
     const double suns[] = {48.4, 0.0, -4.0, -6.0}, views[] = {1.0, 0.3, 0.05};
@@ -253,7 +253,7 @@ TEST(test_program_against_random_paths)
         double all = once + chance.more; // the light scattered once comes from the integral
         double of = (once + shares.more[WAVE]) / all;
         print_message(
-            "# sun %5.1f, view %.2f, azimuth %2.0f: once %.3g, by random paths %.3g; all %.3f "
+            "# sun %5.1f, view %.2f, azimuth %2.0f: once %.3g, with random paths %.3g; all %.3f "
             "times that of random paths, standard error %.3f\n",
             suns[i / 6], view, azimuth, once, chance.once, of, chance.error / all);
         assert_true(fabs(of - 1.0) < 0.13 + 2.0 * chance.error / all);
@@ -263,7 +263,8 @@ TEST(test_program_against_random_paths)
     for (int i = 0; i < 3; i++) {
         struct air_paths chance = air_paths(sine(48.4), 1.0, 1.0, 0.15 * i, WAVE, COUNT);
         double of = 1.0 + chance.more / chance.once;
-        print_message("# albedo %.2f: all light over light scattered once %.3f\n", 0.15 * i, of);
+        print_message("# albedo %.2f: all light divided by light scattered once %.3f\n", 0.15 * i,
+                      of);
         assert_true(fabs(of - measured[i]) < 0.02);
     }
 }
@@ -271,7 +272,7 @@ TEST(test_program_against_random_paths)
 // The zenith at noon is compared with A. J. Preetham, P. Shirley, B. Smits, 'A practical analytic
 // model for daylight', SIGGRAPH 1999: a fit to simulated skies, here with turbidity 2, the clearest
 // sky for which it is made. The test also shows the effect of ozone.
-TEST(test_the_zenith)
+TEST(test_the_zenith_agrees_with_published_values)
 {
     double light[3], xy[2], blue[2], grey[2];
     double theta = (90.0 - 48.4) * MIRROR_PI / 180.0,
@@ -279,10 +280,9 @@ TEST(test_the_zenith)
     double preetham = 1000.0 * ((4.0453 * 2.0 - 4.9710) * tan(chi) - 0.2155 * 2.0 + 2.4192);
     air_all_of(sine(48.4), 1.0, 1.0, 1.0, light);
     air_chromaticity(light, xy);
-    print_message(
-        "# zenith at noon %.0f cd/m^2, x %.3f, y %.3f; by Preetham and others %.0f, 0.243, "
-        "0.246\n",
-        air_luminance(light), xy[0], xy[1], preetham);
+    print_message("# zenith at noon %.0f cd/m^2, x %.3f, y %.3f; Preetham and others: %.0f, 0.243, "
+                  "0.246\n",
+                  air_luminance(light), xy[0], xy[1], preetham);
     assert_true(air_luminance(light) > 0.33 * preetham && air_luminance(light) < 0.6 * preetham);
     assert_true(hypot(xy[0] - 0.243, xy[1] - 0.246) < 0.03);
     air_all_of(sine(-4.0), 1.0, 1.0, 1.0, light);

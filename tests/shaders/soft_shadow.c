@@ -21,7 +21,7 @@ static const struct d3 to_light = {0.48, 0.6, -0.64};
 
 // ---- Discs in a plane ----
 
-// The share of the unit disc on which a test is true, by counting points of a grid.
+// The share of the unit disc on which a test is true, found by counting points of a grid.
 static double part_of_disc(bool (*holds)(double x, double y, const double *data),
                            const double *data)
 {
@@ -184,8 +184,8 @@ TEST(a_ray_goes_to_its_point_on_the_lamp)
     free(values);
 }
 
-// The mean over 16,384 points, each with different random rays, is the visible share to within
-// three standard errors. The threshold makes the ball larger by 1e-5.
+// The mean over 16,384 pixels, each with different random rays from the same point, is the visible
+// share to within three standard errors. The threshold makes the ball larger by 1e-5.
 TEST(the_mean_of_the_rays_is_the_visible_share)
 {
     enum { SIDE = 128, POINTS = SIDE * SIDE };
@@ -242,7 +242,7 @@ TEST(the_bounds_hold_for_sheet_and_bar_too)
         }
 }
 
-// The errors in the page's table, which build/tests/measure shadows prints.
+// The errors in the table of docs/13_soft_shadows.md, which build/tests/measure shadows prints.
 TEST(one_march_is_too_dark)
 {
     for (int i = 0; i < SHADOW_OBSTACLES; i++) {
@@ -258,7 +258,7 @@ TEST(one_march_is_too_dark)
         assert_true(error[SHADOW_TWICE].mean_size < error[SHADOW_HARD].mean_size - 0.01);
         assert_true(error[SHADOW_SIGNED].mean_size < 0.03);
         if (obstacle == SHADOW_SHEET) {
-            // Integration gives mean errors of 1 / (3 pi) and 1 / 8.
+            // Integration gives mean absolute errors of 1 / (3 pi) and 1 / 8.
             assert_true(fabs(error[SHADOW_HARD].mean_size - 1.0 / (3.0 * MIRROR_PI)) < 0.001);
             assert_true(fabs(error[SHADOW_MOST].mean_size - 0.125) < 0.002);
         }

@@ -1,6 +1,7 @@
-// solids.c - the cylinder, the hexagonal prism, the capped cones and the capsule of
-// shaders/solids.glsl on the GPU, compared with the nearest point of the surface; swept.c tests
-// extrusions and revolutions. The surface comes only from the description of the solid.
+// solids.c - the distances to the cylinder, the hexagonal prism, the capped cones and the capsule
+// of shaders/solids.glsl on the GPU, compared with the distance to the nearest point of the
+// surface. swept.c tests extrusions and revolutions. The surface comes only from the description of
+// the solid.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/solid.h"
@@ -20,7 +21,7 @@ static bool in_cylinder(const struct solid *solid, struct d3 p)
     return fabs(p.y) < (double)solid->number[1] && hypot(p.x, p.z) < (double)solid->number[0];
 }
 
-TEST(test_cylinder)
+TEST(test_cylinder_is_exact)
 {
     struct solid solid = {.name = "cylinder", .function = CYLINDER, .number = {0.7f, 0.9f}};
     solid.inside = in_cylinder;
@@ -32,7 +33,7 @@ TEST(test_cylinder)
     solid_check(&solid);
 }
 
-TEST(test_capped_cones)
+TEST(test_capped_cones_are_exact)
 {
     const float numbers[][4] = {{0.9f, 0.3f, 0.7f},
                                 {0.2f, 1.0f, 0.5f},
@@ -65,7 +66,7 @@ static bool in_hexagon(const struct solid *solid, struct d3 p)
 
 // The surface has six sides, and in each base three rhombi from the centre to three consecutive
 // corners.
-TEST(test_hexagonal_prism)
+TEST(test_hexagonal_prism_is_exact)
 {
     struct solid solid = {.name = "prism", .function = HEX_PRISM, .number = {0.6f, 0.8f}};
     solid.inside = in_hexagon;
@@ -86,7 +87,7 @@ TEST(test_hexagonal_prism)
 }
 
 // The surface is a segment, which is thickened by the capsule's radius.
-TEST(test_capsule)
+TEST(test_capsule_is_exact)
 {
     struct solid solid = {.name = "capsule", .function = CAPSULE, .number = {0.35f}};
     solid.inside = solid_never;
@@ -115,7 +116,7 @@ static void assert_same(struct solid a, struct solid b, double tolerance)
     assert_true(worst <= tolerance);
 }
 
-TEST(test_equal_solids)
+TEST(test_equal_solids_have_equal_distances)
 {
     assert_same(
         (struct solid){.name = "turned circle", .function = TURNED_CIRCLE, .number = {0.8f, 0.3f}},

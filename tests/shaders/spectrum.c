@@ -33,7 +33,7 @@ TEST(all_wavelengths_are_white)
     assert_true(worst < 0.4); // the stated error of the fit
 }
 
-TEST(ten_wavelengths_are_parts_of_white)
+TEST(the_whole_spectrum_is_white_and_light_beyond_it_is_black)
 {
     const float all[4] = {0.40f, 0.70f, 4.0f, 0.5f}, none[4] = {0.71f, 0.9f, 1.0f, 0.5f};
     float *values = gpu_call(SHADER, 4, 1, WAVES, all);
@@ -68,7 +68,8 @@ static double sellmeier(const double number[6], double wavelength)
 }
 
 // Cauchy's formula with two numbers for each glass. It is accurate between the lines F and C, at
-// 0.4861 and 0.6563; over all visible light, it is off by as much as the page says.
+// 0.4861 and 0.6563 micrometres; over all visible light, it is off by as much as docs/17_glass.md
+// says.
 TEST(cauchy_is_near_sellmeier)
 {
     static const double crown[6] = {1.03961212,    0.231792344,  1.01046945,
@@ -90,16 +91,16 @@ TEST(cauchy_is_near_sellmeier)
         worst[0][0], worst[0][1], worst[1][0], worst[1][1]);
     assert_true(worst[0][0] < 1.2e-4 && worst[0][1] < 5e-5);
     assert_true(worst[1][0] < 5.1e-3 && worst[1][0] > 5.0e-3 && worst[1][1] < 4e-4);
-    // At the yellow line, 0.5876, the index of SF10 is 1.7283; with 1.7280 as the number A, it
-    // would be 1.767.
+    // At the yellow line, at 0.5876 micrometres, the index of SF10 is 1.7283; with 1.7280 as the
+    // number A, it would be 1.767.
     assert_true(fabs(sellmeier(flint, 0.5876) - 1.7283) < 1e-4);
     assert_true(fabs(glass_index(1.7280, 0.01342, 0.5876) - 1.767) < 5e-4);
 }
 
 // ---- The prism ----
 
-// Trace a ray through two planes in space. Returns its deflection in radians; negative if no ray
-// leaves.
+// Trace a ray through two planes in space. Returns its deflection in radians, or a negative number
+// if no ray leaves.
 //   entering  angle to the first normal, on the side away from the edge
 //   rise      angle out of the plane perpendicular to the edge
 //   left      receives the direction in which the ray leaves
@@ -154,9 +155,8 @@ TEST(the_least_deviation_is_symmetric)
             least = turn >= 0.0 && turn < least ? turn : least;
         }
         double formula = 2.0 * asin(index * sin(0.5 * apex)) - apex;
-        print_message(
-            "# apex %g, index %g: least deviation %.4f at %.2f degrees, by the formula %.4f\n",
-            cases[k][0], index, least / degree, at, formula / degree);
+        print_message("# apex %g, index %g: least deviation %.4f at %.2f degrees (formula: %.4f)\n",
+                      cases[k][0], index, least / degree, at, formula / degree);
         assert_true(fabs(least - formula) < 1e-8);
         assert_true(fabs(at - asin(index * sin(0.5 * apex)) / degree) < 0.05);
     }

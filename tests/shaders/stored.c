@@ -120,8 +120,9 @@ TEST(the_shader_interpolates_the_file)
 
 // ---- The claims ----
 
-// In the cube, the interpolation F differs from the distance d by at most sqrt(3) / 2 cell.
-// Outside, sqrt(a^2 + F^2) exceeds the distance by at most the same amount.
+// In the cube, the interpolation F differs from the distance d, clamped to the range of the file,
+// by at most sqrt(3) / 2 of a cell. At a distance a outside the cube, sqrt(a^2 + F^2) exceeds d by
+// at most the same amount.
 TEST(the_error_is_within_its_bound)
 {
     struct triangles t = elephant_mesh(3);
@@ -146,7 +147,7 @@ TEST(the_error_is_within_its_bound)
     triangles_free(&t);
 }
 
-// A step in a random direction never ends at a point where the value has the other sign.
+// A step in a random direction never ends at a point where the value has the opposite sign.
 TEST(a_step_crosses_no_surface)
 {
     int crossed = 0, beyond = 0;
@@ -170,9 +171,10 @@ TEST(a_step_crosses_no_surface)
     assert_true(beyond > 0);
 }
 
-// Experiment 5: if all corners of a brick of 3 x 3 x 3 cells have values of at least 4 cells,
-// inside or outside, then no value in the brick has the opposite sign, and the interpolation
-// between the corners differs from the finer one by less than 2 sqrt(3) cells.
+// Experiment 5 of docs/23_stored_distances.md: if all corners of a brick of 3 x 3 x 3 cells have
+// values of at least 4 cells, inside or outside, then no value in the brick has the opposite sign,
+// and the interpolation between the corners differs from the finer one by less than 2 sqrt(3)
+// cells.
 TEST(a_shell_of_bricks_keeps_the_surface)
 {
     enum { BRICK = 3, BRICKS = (SIDE - 1) / BRICK };

@@ -1,6 +1,6 @@
-// swept.c - solids that shaders/solids.glsl makes by extruding or revolving a plane figure, on the
-// GPU, compared with the nearest point of the surface. The surface comes only from the description
-// of the solid.
+// swept.c - the distances to solids that shaders/solids.glsl makes by extruding or revolving a
+// plane figure, on the GPU, compared with the distance to the nearest point of the surface. The
+// surface comes only from the description of the solid.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/solid.h"
@@ -13,8 +13,9 @@ static bool in_ring(const struct solid *solid, struct d3 p)
            fabs(p.y) < (double)solid->number[2];
 }
 
-// The figure has a hole and is exact outside and inside, and so is the solid.
-TEST(test_extruded_ring)
+// The figure has a hole. The distance to it is exact outside and inside, and so is the distance to
+// the solid.
+TEST(test_extruded_ring_is_exact)
 {
     struct solid solid = {.name = "ring", .function = EXTRUDED_RING, .number = {0.8f, 0.3f, 0.5f}};
     solid.inside = in_ring;
@@ -36,9 +37,9 @@ static bool in_elbow(const struct solid *solid, struct d3 p)
     return (foot || stem) && fabs(p.y) < (double)solid->number[0];
 }
 
-// A union of two rectangles is exact outside and a lower bound of the depth inside, and so is the
-// solid.
-TEST(test_extruded_elbow)
+// The distance to a union of two rectangles is exact outside and a lower bound of the depth inside,
+// and so is the distance to the solid.
+TEST(test_extruded_elbow_is_exact_outside)
 {
     struct solid solid = {.name = "elbow", .function = EXTRUDED_ELBOW, .number = {0.75f}};
     solid.inside = in_elbow;
@@ -61,8 +62,9 @@ TEST(test_extruded_elbow)
 }
 
 // If the figure of an extrusion rotates or shrinks with height, the slope may exceed 1, but not the
-// bound that the page proves. The figure's farthest point from the axis is a corner.
-TEST(test_twisted_extrusions)
+// bound that docs/10_distance_in_the_plane.md proves. The figure's farthest point from the axis is
+// a corner.
+TEST(test_twisted_extrusions_keep_the_bound)
 {
     const float numbers[][2] = {{0.0f, 0.0f}, {0.0f, 0.3f}, {1.5f, 0.0f}, {3.0f, 0.3f}};
     for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
@@ -102,12 +104,12 @@ static struct tally check_disc(float centre, bool exact_outside, bool exact_insi
     return solid_check(&solid);
 }
 
-// A disc of radius 1 with its centre at x = c. If the disc does not cross the axis, the solid is
-// exact. If the disc crosses the axis and its larger part is at x > 0, the solid is exact outside;
-// inside, the rim of the part at x < 0 also counts, and the depth is too small. If its smaller part
-// is at x > 0, the solid is exact inside and too near outside. If the disc is symmetric, the solid
-// is a ball.
-TEST(test_turned_discs)
+// A disc of radius 1 with its centre at x = c. If the disc does not cross the axis, the distance to
+// the solid is exact. If the disc crosses the axis and its larger part is at x > 0, the distance is
+// exact outside; inside, the rim of the part at x < 0 also counts, and the depth is too small. If
+// its smaller part is at x > 0, the distance is exact inside and too small outside. If the disc is
+// symmetric, the solid is a ball.
+TEST(test_turned_discs_are_exact_where_stated)
 {
     struct tally apple, lemon;
     check_disc(1.5f, true, true);
@@ -127,8 +129,9 @@ static bool in_turned_rectangle(const struct solid *solid, struct d3 p)
            fabs(c * p.y - s * x) < (double)solid->number[1];
 }
 
-// A slanting rectangle that does not touch the axis makes a solid that is exact everywhere.
-TEST(test_turned_rectangle)
+// A slanting rectangle that does not touch the axis makes a solid to which the distance is exact
+// everywhere.
+TEST(test_turned_rectangle_is_exact)
 {
     struct solid solid = {.name = "turned rectangle",
                           .function = TURNED_RECTANGLE,
@@ -148,9 +151,9 @@ TEST(test_turned_rectangle)
     solid_check(&solid);
 }
 
-// A stroke that ends on the axis reaches across the axis by its width. The part beyond the axis has
-// its mirror image in the stroke, so the solid is exact outside.
-TEST(test_turned_bowl)
+// A stroke that ends on the axis reaches across the axis by half its width. The part beyond the
+// axis has its mirror image in the stroke, so the distance is exact outside.
+TEST(test_turned_bowl_is_exact_outside)
 {
     struct solid solid = {.name = "bowl", .function = TURNED_BOWL, .number = {0.08f}};
     solid.inside = solid_never;
@@ -169,7 +172,7 @@ static bool in_filled(const struct solid *solid, struct d3 p)
 
 // A rectangle with a side on the axis makes a cylinder. Inside the cylinder, that side also counts,
 // although no ray can see it: on the axis, the depth is 0.
-TEST(test_a_side_on_the_axis)
+TEST(test_a_side_on_the_axis_counts_inside)
 {
     struct solid solid = {.name = "half a rectangle",
                           .function = TURNED_RECTANGLE,
@@ -183,12 +186,12 @@ TEST(test_a_side_on_the_axis)
     assert_true(tally.least[0] < 1e-6);
 }
 
-// The page's values at points of the axis, for discs of radius 1.
+// The values of docs/10_distance_in_the_plane.md at points of the axis, for discs of radius 1.
 TEST(test_parts_that_are_not_drawn_count)
 {
     const struct {
         float centre, y;
-        double asked; // the page's value, to six decimals
+        double asked; // the expected value, to six decimals
     } rows[] = {
         {-0.8f, 1.0f, 0.280625}, // the tip of the lemon is 0.4 away
         {0.8f, 0.0f, -0.2},      // the dimple of the apple is 0.6 away

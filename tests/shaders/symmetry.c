@@ -135,13 +135,13 @@ static struct tally check_function(int function, int levels)
     return tally;
 }
 
-TEST(test_tetrahedra_against_four_triangles)
+TEST(test_tetrahedra_agree_with_four_triangles)
 {
     check_function(PLANES, 0);
     check_function(EXACT, 0);
 }
 
-TEST(test_pyramids_against_the_union)
+TEST(test_pyramids_agree_with_the_union)
 {
     for (int levels = 0; levels <= MOST_LEVELS; levels++) {
         check_function(SIERPINSKI_PLANES, levels);
@@ -149,8 +149,9 @@ TEST(test_pyramids_against_the_union)
     }
 }
 
-// f and d have the same zeros. f is 0 on the faces of every tetrahedron of the union; and where f
-// is 0, d is also 0, because of the bound d / 3 <= f, which check_point asserts.
+// The shader's distance f and the true distance d have the same zeros. f is 0 on the faces of every
+// tetrahedron of the union; and where f is 0, d is also 0, because of the bound d / 3 <= f, which
+// check_point asserts.
 TEST(test_pyramids_vanish_on_the_surface)
 {
     for (int function = PLANES; function <= SIERPINSKI; function++)
@@ -244,8 +245,8 @@ TEST(test_fold_keeps_one_side)
     assert_true(moved > ITEMS / 10 && moved < ITEMS - ITEMS / 10);
 }
 
-// foldToCorner is compared with three general folds, each along the plane halfway between the
-// corner and another corner. After the three folds, the corner is the nearest of the four.
+// foldToCorner is compared with three general folds, each in the plane halfway between the corner
+// and another corner. After the three folds, the corner is the nearest of the four.
 TEST(test_three_folds_lead_to_the_corner)
 {
     float *values = call(TO_CORNER, 0.0f, 0.0f, 0.0f, 0.0f);
@@ -293,7 +294,7 @@ TEST(test_folds_are_1_lipschitz)
 
 // Behind the plane, the fold with a normal of length k multiplies lengths perpendicular to the
 // plane by |1 - 2 k^2|.
-TEST(test_another_length_stretches)
+TEST(test_a_normal_of_another_length_stretches)
 {
     const float lengths[] = {0.70710678f, 1.0f, 1.3f, 1.41421356f};
     for (int k = 0; k < 4; k++) {

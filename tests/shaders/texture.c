@@ -88,7 +88,7 @@ TEST(pictures_are_upright)
     }
 }
 
-TEST(edges_repeat_or_go_on)
+TEST(edges_repeat_or_are_clamped)
 {
     const struct png_kind kind = {.type = PNG_COLOR_TYPE_GRAY, .depth = 8};
     static const uint16_t sample[] = {10, 60, 200, 250};
@@ -150,7 +150,7 @@ TEST(the_level_is_the_one_asked_for)
 
 // The shader declares as many samplers as the driver has units, but the harness needs the first
 // unit and one for letters.
-TEST(too_many_are_refused)
+TEST(too_many_samplers_are_refused)
 {
     char text[65536] = "#include \"main.glsl\"\n";
     GLint units = 0;
@@ -188,9 +188,9 @@ TEST(a_broken_picture_keeps_the_last_good_shader)
     free(after);
 }
 
-// The harness does not set a sampler in a structure, as a warning says. Such a sampler never reads
-// the target that is being drawn: the third picture is drawn into the target that the second one
-// left bound.
+// The harness does not set a sampler in a structure, and says so in a warning. Such a sampler never
+// reads the target that is being drawn: the third picture is drawn into the target that the second
+// one left bound.
 TEST(a_sampler_that_is_not_set_reads_black)
 {
     struct renderer_inputs inputs = {.width = 4, .height = 2, .samples = 1};

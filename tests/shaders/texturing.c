@@ -98,8 +98,8 @@ TEST(test_a_footprint_is_the_ellipse_of_a_ray)
     assert_true(seen > ITEMS / 2 && flat > 100 && worst < 1e-6);
 }
 
-// The expected normal is that of a plane with the normal n that is raised along n by the height
-// gradient . p; the test computes it from two tangents.
+// The expected normal is that of a plane with the normal n that is raised along n by
+// dot(gradient, p); the test computes it from two tangents.
 TEST(test_a_bump_is_a_raised_surface)
 {
     float *values = ask(1.0f);
@@ -130,7 +130,7 @@ static double height_of(const struct image_bytes *image, int x, int y)
 }
 
 // At the centre of a texel, the height is the texel's value. The gradient in space comes from the
-// differences from the texels `reach` away, along the two axes that span the picture.
+// differences to the texels `reach` away, along the two axes that span the picture.
 static void check_heights(const struct image_bytes *image, int axis, int reach)
 {
     const float numbers[4] = {(float)reach};
@@ -159,7 +159,7 @@ static void check_heights(const struct image_bytes *image, int axis, int reach)
     assert_true(worst < 1e-5 && most > 5.0);
 }
 
-TEST(test_heights_and_their_gradient)
+TEST(test_heights_and_gradients_are_those_of_the_texels)
 {
     struct image_bytes image;
     char path[8192], why[IMAGE_WHY];

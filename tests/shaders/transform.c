@@ -30,7 +30,7 @@ static float *ask(int function, float a, float b, float c)
 // ---- Isometries ----
 
 // The distance from p to the closest point of a box with the centre `shift`, the half sizes `half`
-// and the given axes; negative inside.
+// and the given axes. The distance is negative inside.
 static double brute_turned_box(struct d3 p, const struct m3 *axes)
 {
     struct d3 from = d3_sub(p, shift), closest = shift;
@@ -85,7 +85,7 @@ TEST(test_rotations_are_orthonormal)
     }
     print_message("# 40 rotations: matrix, R^T R and det R off by at most %.2g\n", worst);
     assert_true(worst < 2e-5);
-    // The rotation about x, which turns y to z.
+    // A quarter turn about x takes y to z.
     float *x = ask(TURN, (float)(MIRROR_PI / 2.0), 0.0f, 0.0f);
     assert_true(d3_length(d3_sub(d3_of(x + 4), d3(0.0, 0.0, 1.0))) < 1e-6);
     free(x);
@@ -114,8 +114,8 @@ static double residual(double a, double b, double c)
     return acos(fmax(-1.0, fmin(1.0, 0.5 * (trace - 1.0)))) * 180.0 / MIRROR_PI;
 }
 
-// An estimate of residual for small angles, from docs/05_transforms.md: it consists of products of
-// two angles.
+// An estimate of the residual for small angles, from docs/05_transforms.md: it consists of products
+// of two angles.
 static double estimated(double a, double b, double c)
 {
     return sqrt(b * c * b * c + a * c * a * c + a * b * a * b) * MIRROR_PI / 180.0;
@@ -133,7 +133,8 @@ TEST(test_negated_angles_are_no_inverse)
                   small, estimate, estimated(30.0, 40.0, 20.0));
     assert_true(fabs(small / estimate - 1.0) < 0.05);
     assert_true(fabs(estimated(30.0, 40.0, 20.0) - 27.3) < 0.05);
-    // For a single angle, only the rounding of a cosine of 1 remains.
+    // If only one angle is not 0, negating it gives the exact inverse. Only a rounding error
+    // remains, which acos enlarges near 1.
     assert_true(residual(30.0, 0.0, 0.0) < 0.05 && residual(0.0, 0.0, -70.0) < 0.05);
     // In the report's printed matrix, a term in row 1, column 2 is missing.
     double k = MIRROR_PI / 180.0;

@@ -13,7 +13,8 @@ static double solid(struct d3 p, int i)
     return fmax(faces, mirror_sphere(q, 0.45));
 }
 
-// The points are half a unit above the stage, all over it. No distance here exceeds 4.
+// The points are half a unit above the stage, all over it. No distance exceeds 4 there, so no
+// result is clamped.
 TEST(test_folding_finds_the_nearest_of_twelve_solids)
 {
     float *values = chapter_numbers(
