@@ -78,7 +78,7 @@ FILENAME ~ /[.]md$/ { if (FNR == 1) title[substr($2, 1, 2)] = substr($0, 3); nex
     why[count] = at ? substr($0, at + 4) : "That is right."
     right += mark[count] == "+"
     if ((mark[count] == "+") == (at > 0))
-        fail("a wrong answer has its reason after //, and the right one has none")
+        fail("a wrong answer needs a reason after //; the right answer must have none")
     next
 }
 { fail("this is neither a question (##), nor an answer (+ or -), nor a comment (#)") }

@@ -60,13 +60,13 @@ vec2 seaSlope(vec2 xz)
 
 // The pose of an object that moves up and down with the sea and tilts with the water below it.
 //   xz       horizontal position of the object
-//   draught  height of the object's centre above the water
+//   height   of the object's centre above the water
 //   turn     rotation of the object in still water
-Pose afloat(vec2 xz, float draught, mat3 turn)
+Pose afloat(vec2 xz, float height, mat3 turn)
 {
     vec2 slope = seaSlope(xz);
     mat3 rock = rotationZ(slope.x) * rotationX(-slope.y);
-    return Pose(vec3(xz.x, seaHeight(xz) + draught, xz.y), rock * turn);
+    return Pose(vec3(xz.x, seaHeight(xz) + height, xz.y), rock * turn);
 }
 
 // The state of the scene at the time of the picture: the poses of the objects, and the stretches by

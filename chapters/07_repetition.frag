@@ -3,7 +3,7 @@
 
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread
-#include "primitives.glsl" // sdSphere
+#include "primitives.glsl" // for the exercises: sdSphere, sdBox, sdBoxFrame
 #include "lighting.glsl"   // lambert, fallOff, encodeSRGB
 #include "hue.glsl"        // hsvToRGB
 #include "repetition.glsl" // cellOf, cellOthers, cellRandom

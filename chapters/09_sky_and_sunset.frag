@@ -73,12 +73,12 @@ vec3 lightDirection(vec3 sun)
 
 // ---- Where a ray ends ----
 
-// The point where a ray ends, and how it appears in the pixel.
+// The point where a ray ends, the surface there, and the width of the pixel at that point.
 struct Surface {
     vec3  p;
     float t;                   // distance to p along the ray
     bool  met;                 // false if the ray shows the sky
-    bool  ground, tower, lamp; // if all three are false, p is on a tree
+    bool  ground, tower, lamp; // if met and none of the three, p is on a tree
     Block block;
     vec3  normal;
     float width;               // width of the pixel at p, scene units

@@ -1,4 +1,4 @@
-// 21 A landscape: a lake between mountains, at every hour and in every weather.
+// 21 A landscape: a lake between mountains, at every hour and in all weathers.
 
 #include "main.glsl"      // main(): calls pixelRay, then rayColour
 #include "cone.glsl"      // perspectiveRay, pixelSpread

@@ -7,7 +7,6 @@
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
 #include "normal.glsl"     // normalAt
-#include "primitives.glsl"
 #include "lighting.glsl"   // lambert, encodeSRGB
 #include "shadow.glsl"     // shadowRay, shadowReach, lightReaching
 #include "bounds.glsl"     // boxInterval

@@ -30,10 +30,10 @@ edits() { # EXERCISE VERDICT
 for exercise in 00_2 03_2; do
     # Seventeen right answers: sixteen are the solution with a different last line, and one is an edit from answers.txt.
     for student in 01 02 03 04 05 06 07 08 09 10 11 12 13 14 15 16; do
-        { cat "$(solution $exercise)"; echo "#define STUDENT_$student"; } | hand_in "$student" $exercise right 'as the solution'
+        { cat "$(solution $exercise)"; echo "#define STUDENT_$student"; } | hand_in "$student" $exercise right 'matches the solution'
     done
     edits $exercise right | head -n 1 >"$scratch/edit"
-    sed "$(cat "$scratch/edit")" "$(solution $exercise)" | hand_in 17 $exercise right 'as the solution'
+    sed "$(cat "$scratch/edit")" "$(solution $exercise)" | hand_in 17 $exercise right 'matches the solution'
     # Two wrong answers, and the unsolved chapter from two students, which does not count as copying.
     edits $exercise wrong | head -n 2 >"$scratch/edits"
     sed "$(sed -n 1p "$scratch/edits")" "$(solution $exercise)" | hand_in 18 $exercise wrong ' differ '
@@ -44,7 +44,7 @@ for exercise in 00_2 03_2; do
     { echo '/* all * my own */'; sed 's/; *$/ ;  \/\/ mine/' "$(solution $exercise)"; } | hand_in 22 $exercise copied '^the published solution; as the'
     echo '#include "solutions/'"$(basename "$(solution $exercise)")"'"' | hand_in 23 $exercise copied '^the published solution; '
     for student in 24 25; do
-        { cat "$(solution $exercise)"; echo "#define TWIN // $student"; } | hand_in $student $exercise copied '^the same text: 24, 25; as the solution'
+        { cat "$(solution $exercise)"; echo "#define TWIN // $student"; } | hand_in $student $exercise copied '^the same text: 24, 25; matches the solution'
     done
     # Files that do not compile: one with a syntax error, one that is empty, and one that is not text.
     echo 'float sceneDistance(vec3 p) { return 1 +; }' | hand_in 26 $exercise wrong 'does not run: .*frag:1'

@@ -27,7 +27,7 @@ hand_in odd $'00_2\n.frag' <$right
 marks() { FILES=$1 EXERCISES=$2 CSV=${3-$scratch/marks.csv} .make/marks.sh >"$scratch/said" 2>&1; }
 row() { grep -q -e "$1" "$scratch/marks.csv" || { sed 's/^/# /' "$scratch/marks.csv"; return 1; }; }
 check 'a class is marked' marks "$class/*/*.frag" '00_2 00_3'
-check 'a row has a mark and a remark for each exercise' row "^\"Zoë \"\"O'Neil\"\"\",right,\"as the solution.*\",right,\"as the solution.*\"$"
+check 'a row has a mark and a remark for each exercise' row "^\"Zoë \"\"O'Neil\"\"\",right,\"matches the solution.*\",right,\"matches the solution.*\"$"
 check 'a wrong solution is marked, and a folder name that a spreadsheet would read as a formula is escaped' row "^\"'=cmd()\",wrong,\".* differ .*\",missing,\"\"$"
 check 'the published solution is recognised, however its blanks and comments are changed' row '^"copy",copied,"the published solution; '
 check 'a file that includes the published solution is recognised' row '^"include",copied,"the published solution; '

@@ -39,7 +39,8 @@ check 'the right answer is the longest one in at most half of the questions' at_
 
 # ---- What is written ----
 
-# Print the contents of a file, one item per line. A line begins with question, right, wrong or why.
+# Print the contents of a question file, one item per line. Each line begins with the word question, right, wrong or
+# why.
 said_by_source() { # FILE
     awk -F ' // ' '
         /^## / { print "question", substr($0, 4) }
@@ -128,7 +129,7 @@ refuses() { # NAME WORDS TEXT
 good='## 00.1 a?\n+ b\n- c // d\n- e // f\n'
 check 'a good question is accepted' eval "printf '$good' >'$scratch/good.txt' && writes '$scratch/good.txt'"
 refuses 'no right answer' '00.1 needs one right' "${good/+ b/- b // c}"
-refuses 'a wrong answer without a reason' 'bad.txt:3: a wrong answer has its reason' "${good/ \/\/ d/}"
+refuses 'a wrong answer without a reason' 'bad.txt:3: a wrong answer needs a reason' "${good/ \/\/ d/}"
 refuses 'a reason for the right answer' 'bad.txt:2: .* the right one has none' "${good/+ b/+ b // c}"
 refuses 'only one wrong answer' '00.1 needs' "${good/- e \/\/ f\\n/}"
 refuses 'a number that occurs twice' 'bad.txt:5: .* each number occurs once' "$good$good"

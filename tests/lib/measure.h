@@ -49,7 +49,8 @@ double measure_foot(double radius, double threshold);
 // radius 1 and is seen from a distance of 5.
 double measure_outline(double threshold);
 
-// The same radius for a ball of radius 1 + threshold, from geometry.
+// The radius, in pixels, that geometry predicts for the outline of a ball of radius 1 + threshold
+// at the same distance.
 double measure_outline_theory(double threshold);
 
 // The share of the lit pixels of the stage in chapter 03 that the GPU wrongly finds in shadow.

@@ -13,7 +13,7 @@ struct tetrahedron {
 };
 
 // The pyramid rests on the ground, with its apex above x = -0.7, z = -0.5 and one lower corner
-// towards the viewer. An edge has the length sqrt(8) PYRAMID_SIZE.
+// towards the viewer. Each edge has length sqrt(8) * PYRAMID_SIZE.
 static struct tetrahedron whole_pyramid(void)
 {
     struct tetrahedron t;

@@ -9,8 +9,8 @@
 // Options for a small, still picture of chapter 01.
 #define SESSION_STILL "--size 320x200 --camera 1.65,1.6,3.4,-26,-23.5"
 
-// cmocka's setup and teardown. They make and remove a folder for files (scratch.h), begin with an
-// idle user, and close a window that is still open.
+// cmocka's setup and teardown. The setup resets the user and makes a folder for files (scratch.h).
+// The teardown closes a window that is still open and removes the folder.
 int session_setup(void **unused);
 int session_teardown(void **unused);
 

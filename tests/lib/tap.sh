@@ -11,7 +11,7 @@
 
 export LC_ALL=C
 BUILD=${BUILD:-build}
-root=$PWD # for the suite that sources this file
+root=$PWD # the project's root, for this file and for the suites that source it
 export root
 scratch=
 display_server=

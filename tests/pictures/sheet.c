@@ -1,5 +1,5 @@
 // sheet.c - tests the sheet of chapter 10: the outline of its figure has the same width at every
-// zoom, and the sheet's two colours differ even for eyes that lack the L or the M cones.
+// zoom level, and the sheet's two colours differ even for eyes that lack the L or the M cones.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"

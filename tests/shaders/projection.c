@@ -370,8 +370,9 @@ TEST(test_the_tower_meets_the_channel)
     struct d3 apart = d3(3.0, -3.0, -3.0);
     assert_true(fabs(d3_dot(apart, d3_of(basis.right))) < 1e-6);
     assert_true(fabs(d3_dot(apart, d3_of(basis.up))) < 1e-6);
-    print_message("# the tower's top and the channel's end are %.3f apart along the view\n",
-                  d3_dot(apart, d3_of(basis.forward)));
+    print_message(
+        "# the tower's top and the channel's end are %.3f apart along the viewing direction\n",
+        d3_dot(apart, d3_of(basis.forward)));
     for (int axis = 0; axis < 3; axis++) {
         struct d3 e = d3(axis == 0, axis == 1, axis == 2);
         double shown = hypot(d3_dot(e, d3_of(basis.right)), d3_dot(e, d3_of(basis.up)));

@@ -49,12 +49,12 @@ TEST(colours_are_decoded_and_numbers_are_not)
                         256, 1);
     for (int i = 0; i < 256; i++) {
         worst = fmax(worst, fabs((double)values[4 * i] - mirror_decode(i / 255.0)));
-        // Some drivers interpolate with weights of 8 bits.
+        // Some drivers interpolate with 8-bit weights.
         assert_true(fabs((double)values[4 * i + 1] - i / 255.0) < 0.5 / 255.0);
         assert_true(values[4 * i + 2] == values[4 * i + 1]);
     }
     free(values);
-    // Mesa's polynomial for the decoding is off by 0.0012; a power of 2.2 would be off by 0.008.
+    // Mesa's polynomial for sRGB decoding is off by up to 0.0012; a power of 2.2, by up to 0.0085.
     if (worst > 0.002)
         fail_msg("decoded sRGB is off by %g", worst);
 }

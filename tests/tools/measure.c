@@ -279,8 +279,8 @@ static int print_levels(void)
     static const double factors[] = {0.0, 0.25, 0.5, 1.0, 2.0, 4.0};
     if (!levels_open())
         return 1;
-    printf("# granite.png read with a multiple of the footprint: root mean square error of the "
-           "mean over the footprint, on a scale from 0 to 1\n");
+    printf("# granite.png read with a multiple of the footprint: root mean square difference "
+           "from the mean over the footprint, on a scale from 0 to 1\n");
     printf("texels,sine,none,1/4,1/2,1,2,4\n");
     for (double sine = 1.0; sine > 0.05; sine /= 4.0)
         for (double n = 1.0; n <= 32.0; n *= 2.0) {

@@ -195,8 +195,9 @@ TEST(the_lists_are_built_from_few_distances)
     struct part_scene *reef = part_scene_build(reef_build, REEF_MOST, K);
     assert_non_null(reef);
     double cells = (double)reef->grid.cells[0] * reef->grid.cells[1] * reef->grid.cells[2];
-    print_message("# %.0f cells take %ld distances, %.1f per cell\n", cells, reef->grid.tests,
-                  (double)reef->grid.tests / cells);
+    print_message(
+        "# building the lists of %.0f cells takes %ld distance evaluations, %.1f per cell\n", cells,
+        reef->grid.tests, (double)reef->grid.tests / cells);
     assert_true((double)reef->grid.tests < cells * REEF_MOST / 30.0);
     part_scene_free(reef);
 }

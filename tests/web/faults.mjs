@@ -187,7 +187,7 @@ await page.goto(`${server.at}/${LONG}#exit-questions`);
 check('an address of a part that is not laid out yet is followed', await there(page));
 await page.goto(`${server.at}/index.html`);
 await page.goto(`${server.at}/${LONG}#:~:text=A%20star%20in%20one%20stroke`);
-check('an address that quotes words of a part that is not laid out yet is followed', await page.getByText('A star in one stroke').first().isVisible());
+check('an address with a text fragment is followed into a part that is not laid out yet', await page.getByText('A star in one stroke').first().isVisible());
 await page.close();
 ({page} = await open('01_normal_colouring.html'));
 const policy = await page.evaluate(() => new Promise((told) => {

@@ -138,7 +138,7 @@ SESSION_TEST(a_component_is_typed_or_pasted)
     open_rows(1);
     session_click(60, 98);
     leave_panel();
-    double_click(60, 110); // the row of green, below that of red
+    double_click(60, 110); // the row of the green component, below the red one
     type("0.5.5", GLFW_KEY_ENTER);
     session_assert_title("tint = 0.5,0.5,0.5");
     assert_string_equal(session_said(2), ""); // no message says that tint takes three numbers
