@@ -41,7 +41,7 @@ for exercise in 00_2 03_2; do
     hand_in 20 $exercise wrong 'differ\|compile' <"$(chapter $exercise)"
     hand_in 21 $exercise wrong 'differ\|compile' <"$(chapter $exercise)"
     # The published solution, once disguised and once included, and the same answer from two students.
-    { echo '/* all * my own */'; sed 's/; *$/ ;  \/\/ mine/' "$(solution $exercise)"; } | hand_in 22 $exercise copied '^the published solution; as the'
+    { echo '/* all * my own */'; sed 's/; *$/ ;  \/\/ mine/' "$(solution $exercise)"; } | hand_in 22 $exercise copied '^the published solution; matches the'
     echo '#include "solutions/'"$(basename "$(solution $exercise)")"'"' | hand_in 23 $exercise copied '^the published solution; '
     for student in 24 25; do
         { cat "$(solution $exercise)"; echo "#define TWIN // $student"; } | hand_in $student $exercise copied '^the same text: 24, 25; matches the solution'

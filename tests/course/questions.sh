@@ -130,7 +130,7 @@ good='## 00.1 a?\n+ b\n- c // d\n- e // f\n'
 check 'a good question is accepted' eval "printf '$good' >'$scratch/good.txt' && writes '$scratch/good.txt'"
 refuses 'no right answer' '00.1 needs one right' "${good/+ b/- b // c}"
 refuses 'a wrong answer without a reason' 'bad.txt:3: a wrong answer needs a reason' "${good/ \/\/ d/}"
-refuses 'a reason for the right answer' 'bad.txt:2: .* the right one has none' "${good/+ b/+ b // c}"
+refuses 'a reason for the right answer' 'bad.txt:2: .* the right answer must have none' "${good/+ b/+ b // c}"
 refuses 'only one wrong answer' '00.1 needs' "${good/- e \/\/ f\\n/}"
 refuses 'a number that occurs twice' 'bad.txt:5: .* each number occurs once' "$good$good"
 refuses 'a chapter that does not exist' 'chapter 77 has no page' "${good/00.1/77.1}"
