@@ -25,7 +25,7 @@ enum { WIDTH = 640, HEIGHT = 360, TEXT = 65536 }; // pixels; a shader has fewer 
 #define TILT_LIMIT 1.55f // radians, just below a right angle
 #define SPEED      2.0   // scene units per second
 
-// At pan 0 and tilt 0 the eye looks along -z. Pan turns it to the right, tilt turns it upwards.
+// At pan 0 and tilt 0 the eye looks along -z. Pan turns it to the right, and tilt turns it upwards.
 enum { RIGHT, UP, FORWARD }; // the rows of a basis
 struct camera {
     float position[3]; // scene units; y is up

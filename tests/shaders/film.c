@@ -10,9 +10,10 @@
 
 enum { VIGNETTE, CONTRAST, CURVE, HUE, DITHER };
 
-// The light that a uniformly bright wall sends through a round opening of radius r to a point of
-// the film, at a distance of f behind the opening. Each element of the opening contributes the
-// product of the cosines at both ends, divided by the square of the distance.
+// The light, up to a constant factor, that a uniformly bright wall sends through a round opening of
+// radius r to a point of the film, at a distance f behind the opening. Each element of the opening
+// contributes the product of the cosines at both ends of the line from the element to the point,
+// divided by the square of the length of this line.
 static double through_opening(double x, double y, double f, double r)
 {
     double sum = 0.0;
