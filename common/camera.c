@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-// The frame is computed in double, because a float loses digits of cos(tilt) near the limit.
+// The basis is computed in double, because cos(tilt) loses digits in float near the tilt's limit.
 struct camera_basis camera_basis_of(const struct camera *camera)
 {
     double pan = (double)camera->pan * GLM_PI / 180.0;

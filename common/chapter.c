@@ -62,7 +62,7 @@ static bool open_loop(struct run *run)
 {
     run->start = run_window_start(run);
     if (run->options.shader != NULL)
-        printf("%s: reloads on every save\n", run->options.shader);
+        printf("%s: reloaded on every save\n", run->options.shader);
     fflush(stdout);
     run->window = window_open(&run->context, &run->start);
     return run->window != NULL;
@@ -105,7 +105,7 @@ static int print_list(const struct run *run)
     for (int i = 0; i < (run->options.compares ? 2 : 1); i++) {
         const struct loader *picture = &run->picture[i];
         if (i > 0)
-            printf("\n# beside it\n");
+            printf("\n# second picture\n");
         parameters_print(&picture->parameters, stdout);
         samplers_print(&picture->parameters.samplers, &picture->source, stdout);
     }

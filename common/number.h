@@ -22,7 +22,7 @@ bool number_read_int(const char *text, int minimum, int maximum, int *value);
 #define NUMBER_SIZE 32
 
 // Return a hint to append to an error message. For a number with a decimal comma, such as "0,5",
-// the hint is ": write 0.5"; for any other text, it is "". It is valid until the next call.
+// the hint is ": write 0.5"; for any other text, it is "". The string is valid until the next call.
 const char *number_hint(const char *text);
 
 // Write a number as the shortest text that a shader reads as the same float. A whole number of

@@ -1,7 +1,7 @@
 // platform.h - functions that C11 lacks and systems provide differently: files, links, clocks,
 // environment, console, crashes. Only platform/posix*.c and platform/windows*.c include a system's
-// headers or ask which system they are on; context/osmesa.c alone includes one more, <dlfcn.h>. A
-// path is UTF-8, with '/' between its parts.
+// headers or test for an operating system, except that context/osmesa.c includes <dlfcn.h>. A path
+// is UTF-8, with '/' between its parts.
 #ifndef PLATFORM_H
 #define PLATFORM_H
 
@@ -27,7 +27,7 @@ struct platform_file {
 // Returns false with errno set if there is no file.
 bool platform_look(const char *path, struct platform_file *file);
 
-// True if both are the same file, whatever their names.
+// True if both structs describe the same file, whatever paths were given.
 bool platform_is_same(const struct platform_file *one, const struct platform_file *other);
 
 // Return the absolute path of an existing file or folder, without links, "." and "..", in upper and

@@ -317,7 +317,7 @@ void glfwSetInputMode(GLFWwindow *window, int mode, int value)
         page_capture(value == GLFW_CURSOR_DISABLED);
 }
 
-// GLFW's shapes are six consecutive constants, beginning with the arrow.
+// The shapes from the arrow to the vertical resize arrow are six consecutive constants of GLFW.
 GLFWcursor *glfwCreateStandardCursor(int shape)
 {
     static struct GLFWcursor cursors[GLFW_VRESIZE_CURSOR - GLFW_ARROW_CURSOR + 1];

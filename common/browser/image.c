@@ -38,7 +38,7 @@ static bool decode(struct image_bytes *bytes, FILE *file, size_t most, char why[
     int own;
     if (stbi_info_from_file(file, &bytes->width, &bytes->height, &own) &&
         (size_t)bytes->width * (size_t)bytes->height > most) {
-        snprintf(why, IMAGE_WHY, "too many pixels: make its sides half as long");
+        snprintf(why, IMAGE_WHY, "too many pixels: make the picture's sides half as long");
         return false;
     }
     if (stbi_is_16_bit_from_file(file)) {

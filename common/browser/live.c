@@ -86,7 +86,7 @@ static bool split(const char *stem, const char *line)
     live.count = 0;
     for (char *rest = live.line, *word; (rest = split_word(rest, &word)) != NULL;) {
         if (live.count == ARGUMENTS)
-            return report("%s: more than %d words", stem, ARGUMENTS);
+            return report("%s: the command line has more than %d words", stem, ARGUMENTS);
         live.argument[live.count++] = word;
     }
     live.argument[live.count] = NULL;

@@ -32,7 +32,8 @@ void live_stop(void);
 int live_runs(void);
 
 // Run one iteration of the main loop: act on the input, and draw what is due. Returns 0 if there is
-// no window, if the user has quit, or if drawing has failed; live_report then returns the reason.
+// no window, if the user has quit, or if drawing has failed; after a failure, live_report returns
+// the reason.
 int live_turn(void);
 
 // Restart after the browser has restored a lost context, with the previous view, camera, time, ray,
@@ -59,8 +60,8 @@ void live_set(const char *name, int component, double value);
 // Reset a parameter to its initial value.
 void live_reset(const char *name);
 
-// Switch to the view with this number. Returns 0 if it cannot be shown; live_report returns the
-// reason.
+// Switch to the view with this number. Returns 0 if there is no window or no such view, or if the
+// shader cannot show the view; in this last case, live_report returns the reason.
 int live_view(int view);
 
 void live_pause(int paused);

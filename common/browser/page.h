@@ -5,7 +5,7 @@
 enum { PAGE_CONTEXT, PAGE_NO_WEBGL, PAGE_NO_FLOATS };
 
 // Create a WebGL 2 context for the page's canvas, without alpha, antialiasing or depth, and make it
-// current. Returns PAGE_CONTEXT; otherwise PAGE_NO_WEBGL if WebGL 2 is missing, or PAGE_NO_FLOATS
+// current. Returns PAGE_CONTEXT on success, PAGE_NO_WEBGL if WebGL 2 is missing, or PAGE_NO_FLOATS
 // if float targets are missing.
 int page_open_context(void);
 
@@ -23,14 +23,14 @@ void page_size(int width, int height);
 void page_title(const char *text);
 
 // Find the label of a key on the user's keyboard.
-//   key    GLFW's key
+//   key    GLFW's key code
 //   label  receives the label in UTF-8, at most size bytes; "" if the browser does not provide it
 void page_key_label(int key, char *label, int size);
 
 // Capture the pointer, or release it.
 void page_capture(int captured);
 
-// Set the pointer's shape to one of GLFW's, or to the arrow if shape is 0.
+// Set the pointer's shape to one of GLFW's standard shapes, or to the arrow if shape is 0.
 void page_cursor(int shape);
 
 // Give the page a picture, which the browser writes as PNG.

@@ -101,7 +101,7 @@ static void write_window(struct json *json, const struct window *window)
     json_number(json, "shown", floor((double)inputs->shown), -1);
     json_text(json, "why", inputs->pixel[0] >= 0 ? window->ray.why : "");
     json_flag(json, "halves", live_halves() != 0);
-    // A shader with its own main has no view except the picture.
+    // Only a shader in the course's dialect has views other than the picture.
     int views =
         renderer->fragment.dialect == DIALECT_COURSE ? SHADER_VIEW_COUNT : SHADER_PICTURE + 1;
     json_begin(json, "views", '[');

@@ -13,7 +13,7 @@ enum { STATE_NAME = 160 }; // bytes of a parameter's name, such as "factor (righ
 // Write the state:
 //   runs                  whether there is a window; without one, the list ends after unset
 //   title, shows          the chapter's title, and the sentence about its picture
-//   error                 the error that the panel shows, or ""; without a window, the last one
+//   error                 the error that the panel shows, or ""; without a window, the last error
 //                         reported
 //   unset                 one line about a uniform or block that nothing sets, or ""
 //   view, time, paused    the view's name; the time in seconds; whether the time is paused
@@ -31,8 +31,9 @@ enum { STATE_NAME = 160 }; // bytes of a parameter's name, such as "factor (righ
 //   handles               those in the picture: name, x and y as fractions of the picture from the
 //                         top left, focused
 //   tool                  whether dragging the pointer changes the chapter's volume
-//   probe                 of the selected pixel's ray: recorded, outcome, steps, all_steps,
-//                         evaluations, colour, march (t, distance, x, y, z of each step)
+//   probe                 of the selected pixel's ray, once it has been marched: recorded, outcome,
+//                         steps, all_steps, evaluations, colour, march (t, distance, x, y, z of
+//                         each step)
 //   window  NULL if there is none
 void state_write(FILE *stream, const struct chapter *chapter, const struct window *window);
 

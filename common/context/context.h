@@ -16,7 +16,7 @@ struct context_driver {
     enum context_backend backend;
     const char *name; // "glfw", "egl", "osmesa"
     // Create a 3.3 core context without a visible window and make it current. Returns the backend's
-    // state, or NULL after writing a phrase to why, which says what was tried and what the library
+    // state, or NULL after writing to why a phrase that says what was tried and what the library
     // answered.
     void *(*open_offscreen)(char why[CONTEXT_WHY]);
     // Do the same with a visible, resizable window, whose handle is the state. A backend that

@@ -1,4 +1,4 @@
-// gl.h - the OpenGL functions that this program uses, in one table that the backend fills.
+// gl.h - the OpenGL functions that this program uses, in one table that gl_load fills.
 //
 // All calls go through the table (gl->DrawArrays), never to a linked libGL, because libOSMesa
 // exports the same names, and one process may use two backends in turn. The table contains only
@@ -100,7 +100,8 @@ enum { GL_NEEDED_MAJOR = 3, GL_NEEDED_MINOR = 3 };
     X(void, VertexAttribPointer, (GLuint, GLint, GLenum, GLboolean, GLsizei, const void *)) \
     X(void, Viewport, (GLint, GLint, GLsizei, GLsizei))
 
-// Functions that OpenGL ES 3.0 lacks. They are looked up where they are used.
+// The functions of timer queries, which OpenGL ES 3.0 lacks. The functions are looked up where they
+// are used.
 #define GL_TIMER_FUNCTIONS(X) \
     X(void, BeginQuery, (GLenum, GLuint)) \
     X(void, DeleteQueries, (GLsizei, const GLuint *)) \

@@ -92,7 +92,7 @@ static void *open_offscreen(char why[CONTEXT_WHY])
     struct osmesa_state *state = memory_zeros(1, sizeof *state);
     state->handle = osmesa.create(attributes, NULL);
     if (state->handle == NULL) {
-        snprintf(why, CONTEXT_WHY, "OSMesaCreateContextAttribs refuses OpenGL 3.3 core");
+        snprintf(why, CONTEXT_WHY, "OSMesaCreateContextAttribs cannot create OpenGL 3.3 core");
         free(state);
         return NULL;
     }

@@ -36,7 +36,7 @@ static void draw(unsigned char *pixel, int cell, struct letters *letters, uint32
         }
 }
 
-// Draw the table. Each byte is the covered fraction of a pixel, and the bottom row is first.
+// Draw the table. Each byte is 255 times the covered fraction of a pixel. The bottom row is first.
 // Returns WIDTH * cell by ROWS * ROW * cell bytes, which the caller frees.
 static unsigned char *draw_table(int cell)
 {

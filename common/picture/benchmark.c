@@ -131,7 +131,8 @@ static bool draw_frames(struct benchmark *benchmark, struct renderer *renderer,
 // ---- Evaluations ----
 
 // Draw the counts of all pixels as shaders/main.glsl writes them, 4 numbers per pixel: evaluations,
-// steps of the first march, the lower bound, and 1 if that march is compared with the bound.
+// steps of the first march, the lower bound, and 1 if the pixel is on the grid of
+// shaders/cover.glsl. Outside this grid, the steps and the bound are 0.
 static bool draw_counts(struct renderer *renderer, const struct renderer_inputs *inputs,
                         float *values)
 {
@@ -276,7 +277,7 @@ static void print_text(const struct benchmark *b, FILE *file)
         fprintf(file, "mean %.2f, 99 %% of the pixels at most %.0f, maximum %.0f\n", b->mean,
                 b->percentile, b->most);
     else
-        fprintf(file, "- (not counted in a file with its own main)\n");
+        fprintf(file, "- (counted only in the course's dialect)\n");
     if (b->cover.rays > 0)
         fprintf(file,
                 "%-14s %.2f evaluations per ray, lower bound %.2f: march / bound %.2f, for one "

@@ -45,7 +45,7 @@ struct benchmark {
     bool has_gpu;                                   // the GPU's clock could be read
     struct benchmark_span compile, first;           // with the driver's caches switched off
     struct benchmark_span median, minimum, maximum; // over the timed frames, for each clock
-    bool has_evaluations;                           // only the course's dialect counts them
+    bool has_evaluations;                           // counted only in the course's dialect
     // Evaluations per pixel: the mean, which includes the coarse pass, and the 99th percentile and
     // the maximum, which do not.
     double mean, percentile, most;

@@ -29,13 +29,14 @@ static const char bilinear_text[] = "vec3 filtered(ivec4 x, ivec4 y, vec2 f)\n"
                                     "}\n";
 
 // For one of the 4 nearest texels, look adds the slope of the light to slope, and adds to single a
-// value that is 1 at a single edge and 0 at a thin line, where the kernel must not be used. Both
-// are multiplied by the texel's bilinear weight. add adds one texel to the weighted mean: its
-// offset is rotated so that x points up the slope and y along the edge, and scaled so that the
-// kernel reaches about 4 texels along the edge and at most about 2 across it. The kernel is
-// (25/16 (2/5 r - 1)^2 - 9/16) (0.21 r - 1)^2, where r is the squared length of this offset; it
-// approximates the Lanczos kernel of order 2 without sines. Where there is no single edge, the
-// bilinear mean is used.
+// value that is 1/2 at an edge parallel to an axis, up to 1 at a slanted edge, and 0 at a thin
+// line, where the kernel must not be used. Both are multiplied by the texel's bilinear weight. add
+// adds one texel to the weighted mean: its offset is rotated so that x points up the slope and y
+// along the edge, and scaled so that the kernel reaches about 4 texels along the edge and at most
+// about 2 across it. The kernel is (25/16 (2/5 r - 1)^2 - 9/16) (0.21 r - 1)^2, where r is the
+// squared length of this offset; it approximates the Lanczos kernel of order 2 without sines. The
+// square of single is the weight of the kernel's mean; the bilinear mean has the rest of the
+// weight.
 static const char edge_text[] =
     "vec2 slope;\n"
     "float single;\n"

@@ -17,9 +17,9 @@
 // differ from their pictures at full resolution by 9.87 (bilinear) and 9.59 (edge) of 255, root
 // mean square; the outlines and shadows of chapter 03 differ by 8.20 and 7.38. At a quarter, the
 // outlines of chapter 21 have visible stairs with the bilinear filter. To fill 640x360 pixels on
-// llvmpipe, the filters take 0.16 and 0.48 of the time that drawing the scene of the report's annex
-// takes. So a window uses the edge filter, and the bilinear filter where the edge filter would take
-// too long.
+// llvmpipe, the filters take 0.16 and 0.48 of the time that drawing
+// tests/pictures/reference_scene.frag takes. So a window uses the edge filter, and the bilinear
+// filter where the edge filter would take too long.
 //
 // Source: the edge filter follows the idea of EASU in AMD FidelityFX Super Resolution 1.0 (T.
 // Lottes, 2021).

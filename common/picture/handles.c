@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#define POINTS  3      // points per handle: the handle itself, and one along either axis
+#define POINTS  3      // points per handle: the handle itself, and one along each axis
 #define OFFSET  0.01f  // offset of the other two, as a fraction of the distance to the camera
 #define GRID    1000.0 // values are rounded to 1 / GRID scene units
 #define STEP    0.125  // longest step of Newton's method, as a fraction of the picture's height

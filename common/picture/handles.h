@@ -5,7 +5,7 @@
 
 #include "picture/renderer.h"
 
-enum { HANDLES_MOST = 8 }; // maximum number per shader; further handles cannot be dragged
+enum { HANDLES_MOST = 8 }; // per shader; further handles cannot be dragged
 
 // A handle in a picture. Pixels are counted from the bottom left of the whole picture.
 struct handle {
@@ -16,7 +16,7 @@ struct handle {
     bool seen;        // a ray passes through the handle; otherwise pixel and move are undefined
 };
 
-// Find the handles of a renderer's shader in a picture, whatever the shader's pixelRay.
+// Find the positions of a shader's handles in a picture, whatever pixelRay the shader defines.
 //   formula  shaders/projection.glsl finds the pixels of the points p, p + e a and p + e b, where a
 //            and b are the axes, and e is a hundredth of the distance to the camera, but at least
 //            0.001; move is the difference divided by e, which is the derivative up to terms of

@@ -16,7 +16,7 @@ struct image {
 };
 
 // Allocate a black picture. Reports an error and returns false if a side is out of range or memory
-// is short. Free it with image_free.
+// is short. Free the picture with image_free.
 bool image_create(struct image *image, int width, int height);
 
 // Free the pixels. A zero-initialised struct is allowed.

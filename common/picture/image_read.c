@@ -37,7 +37,7 @@ static void read_pixels(png_structp png, png_infop info, struct image_bytes *byt
     if (width > IMAGE_SIDE_LIMIT || height > IMAGE_SIDE_LIMIT)
         refuse(png, "a side is longer than 16384 pixels: make the picture smaller");
     if (width * height > most)
-        refuse(png, "too many pixels: make its sides half as long");
+        refuse(png, "too many pixels: make the picture's sides half as long");
     png_set_scale_16(png);
     png_set_expand(png);
     png_set_gray_to_rgb(png);

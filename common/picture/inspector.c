@@ -184,7 +184,7 @@ static void find_span(const struct overlay *overlay, const struct inspector *ins
         }
         memcpy(before, at, sizeof before);
     }
-    if (probe_rows(probe) == 0) { // the ray has no march
+    if (probe_rows(probe) == 0) { // the march has no steps
         position_of(overlay, pixel, at);
         extend(span, left, right, at[0], at[1]);
     }
@@ -263,7 +263,7 @@ static void write_cost(struct pen *pen, const struct probe *probe)
 {
     char text[80];
     int others = probe->all_steps - probe->steps;
-    snprintf(text, sizeof text, others > 0 ? "steps %d, of further rays %d" : "steps %d",
+    snprintf(text, sizeof text, others > 0 ? "steps %d (further rays: %d)" : "steps %d",
              probe->steps, others);
     pen_write(pen, text, PEN_PLAIN);
     snprintf(text, sizeof text, "evaluations of the scene %d", probe->evaluations);

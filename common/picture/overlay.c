@@ -13,7 +13,7 @@
 struct shape {
     float left, low, right, high; // pixels from the target's bottom left
     float letter[2];              // top left of the letter's image in the atlas; -1 if not a letter
-    float width;                  // width of a line, pixels; 0 if there is no line
+    float width;                  // width of a line, pixels; 0 if not a line
     unsigned char colour[4];      // red, green, blue, opacity
 };
 

@@ -59,7 +59,7 @@ float overlay_scale_of(int height);
 void overlay_begin(struct overlay *overlay, int width, int height, float scale);
 
 // Add a box, or one line of text in UTF-8, with its top left corner at a position. A letter that
-// the font lacks is drawn as an empty frame.
+// the font lacks is drawn as an empty rectangle.
 void overlay_box(struct overlay *overlay, float left, float top, float width, float height,
                  struct overlay_colour colour);
 void overlay_text(struct overlay *overlay, float left, float top, const char *text,

@@ -59,7 +59,7 @@ static float write_error(const struct panel *panel, struct overlay *overlay, flo
     const char *heading = words == panel->unset ? "An input without a value"
                           : panel->broken
                               ? "Error: the last good picture stays until the next good save"
-                              : "This view can't be shown";
+                              : "This view cannot be shown";
     char line[OVERLAY_TEXT + 1];
     float limit = widest_text(overlay), height = error_height(panel, overlay);
     float top = bottom - height;
@@ -189,7 +189,7 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
     bool marched = panel->pixel[0] >= 0 && panel->probe != NULL;
     bool refused = panel->pixel[0] >= 0 && !marched && panel->why != NULL;
     enum shader_view view = panel->renderer->view;
-    // A slice's ray is in the middle of the slice's part of the picture, and no panel may cover it.
+    // No panel may cover a slice's ray, which is in the middle of the slice's part of the picture.
     float middle = (view == SHADER_PLOT ? 0.5f + 0.5f * SLICE_PLOT : 0.5f) * (float)height, ray[2];
     inspector_ray(overlay, middle, ray);
     float above = shader_shows_ray(view) ? ray[1] : BELOW_TITLE;
@@ -203,7 +203,7 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
     float room = right - PEN_MARGIN - 2.0f * PEN_PADDING;
     float lowest = shader_shows_ray(view) && ray[0] < bottom ? ray[0] : bottom;
     panel_rows_build(rows, panel, room, lowest);
-    // In a window, the panel may take at most a third of the picture.
+    // In a window, the panel may cover at most a third of the picture.
     float third = pen_picture_width(overlay) * pen_picture_height(overlay) / 3.0f;
     if (panel->rows != NULL && rows->width * rows->height > third)
         panel_rows_build(rows, panel, room, fminf(lowest, PEN_MARGIN + third / rows->width));

@@ -10,7 +10,7 @@
 #include "picture/comparison.h"
 #include "picture/pen.h"
 
-#define MARK          14.0f // width of the mark that folds the panel
+#define MARK          14.0f // width of the mark that collapses the panel
 #define WIDEST_COLOUR "0.000,0.000,0.000"
 
 // ---- Building ----
@@ -68,7 +68,7 @@ static void add_views(struct panel_rows *rows, const struct panel *panel)
     }
 }
 
-// A shader with its own main has no march to step along.
+// Only a shader in the course's dialect has a march to step along.
 static void add_buttons(struct panel_rows *rows, const struct panel *panel)
 {
     bool steps = panel->renderer->fragment.dialect == DIALECT_COURSE;
@@ -88,7 +88,7 @@ static void marches_text(const struct panel *panel, char text[PANEL_CELL])
     bool two = panel->renderer->comparison != NULL && shader_shows_ray(panel->renderer->view);
     bool table = panel->pixel[0] >= 0 && panel->probe != NULL;
     const char *side = panel->side != NULL ? panel->side : "";
-    snprintf(text, PANEL_CELL, "%s%s%s", two ? "each side of the line: its own march" : "",
+    snprintf(text, PANEL_CELL, "%s%s%s", two ? "each side shows its own march" : "",
              two && table ? "; table: " : "", two && table ? side : "");
 }
 

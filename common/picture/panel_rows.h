@@ -22,7 +22,7 @@ struct panel {
     const char *title;                // the chapter's title
     const struct renderer *renderer;  // contains the view and the parameters
     const struct parameter *selected; // the selected parameter, which the arrow keys change
-    double rate, milliseconds;        // frames per second, and the duration of one frame
+    double rate, milliseconds;        // frames per second, and the time that one picture takes
     double time;                      // seconds
     int resolution; // the drawn picture's sides, in percent of full size; 0 means 100
     int sharp;      // percent of the picture that is already sharp
@@ -56,7 +56,7 @@ struct panel {
     const struct probe *probe; // the ray's march, or NULL; then why gives the reason
     const char *why;
     const char *error; // the lines of the error, each ending in '\n'
-    bool broken;       // the error comes from a reload, otherwise from a view
+    bool broken;       // the error comes from a reload; if false, from a view
     const char *unset; // a note on an input that nothing sets, shown if there is no error
 };
 
@@ -66,9 +66,9 @@ struct panel {
 enum { PANEL_COLUMNS = 4, PANEL_CELL = 160 };
 
 enum panel_row_kind {
-    PANEL_ROW_TITLE,  // the second cell is the mark that folds the panel, at the row's right end
-    PANEL_ROW_STATUS, // the view, the rate and the time; a click opens the list of views
-    PANEL_ROW_VIEW,   // one view of that list; part is its index
+    PANEL_ROW_TITLE,  // the second cell is the mark that collapses the panel, at the right end
+    PANEL_ROW_STATUS, // the view, the rate and the time; a click opens or closes the list of views
+    PANEL_ROW_VIEW,   // one view of that list; part is the view's index
     PANEL_ROW_TEXT,
     PANEL_ROW_BUTTONS, // one button in each cell
     PANEL_ROW_RULE,
@@ -130,7 +130,7 @@ int panel_row_button(const struct panel_row *row, float x);
 // Return the distance of a button from the row's left, in units.
 float panel_row_button_left(const struct panel_row *row, int button);
 
-// True if x is on the mark of the title, which folds the panel.
+// True if x is on the mark of the title, which collapses the panel or opens it again.
 bool panel_row_is_mark(const struct panel_row *row, float x);
 
 // True if x is on the swatch of a colour, which opens the colour's picker.

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#define PROBE_STEPS 2048 // maximum number of steps of a probe
+#define PROBE_STEPS 2048 // maximum number of steps that a probe records
 #define PROBE_ROWS  3    // rows of the target that a probe's program draws, one column per step
 
 // One step of a probe: a position on the ray, and the scene's distance there.
@@ -29,7 +29,7 @@ struct probe {
     enum probe_end end; // why the first march stopped
     float interval[2];  // interval of the first march, scene units along the ray; 0, 0 if unknown
     bool pinned;        // the ray's camera or lens is not the picture's
-    bool recorded;      // false for a file with its own main, for which only the colour is known
+    bool recorded;      // false outside the course's dialect, where only the colour is known
     unsigned char colour[3]; // the pixel's colour
 };
 

@@ -40,7 +40,7 @@ struct renderer_inputs {
     double time;       // seconds
     double time_delta; // seconds since the last frame; 0 for the first
     int frame;         // index of the frame, from 0
-    double rate;       // frames per second of a film; 0 if it follows from time_delta
+    double rate;       // frames per second of a film; 0 if time_delta gives the rate
     float mouse[4];    // Shadertoy's iMouse; zeros for a picture in a file
     float date[4];     // Shadertoy's iDate: year, month from 0, day, seconds of the day
     int samples;       // samples along each side of a pixel
@@ -69,7 +69,8 @@ struct comparison {
     bool gripped;         // the divider can be dragged, and shows a grip
 };
 
-// The uniforms of the harness itself, other than inputs, parameters and textures.
+// The uniforms of the harness itself, and those of the lens, whose values renderer_inputs.lens may
+// replace. The uniforms of inputs, other parameters and textures are not in this list.
 #define RENDERER_UNIFORMS(X)                                                                       \
     X(iSample)                                                                                     \
     X(iSamples)                                                                                    \
@@ -205,7 +206,7 @@ struct renderer_eye renderer_eye_of(const struct renderer *renderer,
 
 // March the ray of pixel (x, y), 0,0 at the bottom left, from inputs->eye. Read back every step,
 // with its position in the picture, and the pixel's colour in the current view or, if that is the
-// slice or the plot, in the picture view. For a file with its own main, only the colour is known.
+// slice or the plot, in the picture view. Outside the course's dialect, only the colour is known.
 // Returns false after reporting the error if the driver fails.
 bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
                     struct probe *probe);
@@ -263,7 +264,8 @@ void renderer_unlink(struct renderer *renderer);
 bool renderer_reads(const struct renderer *renderer, enum shader_view view,
                     enum renderer_uniform uniform);
 
-// Apply the strokes that the texture does not contain yet. Returns false after reporting the error.
+// Apply the strokes that the volume's texture does not contain yet. Returns false after reporting
+// the error.
 bool renderer_sculpt(struct renderer *renderer, const struct renderer_inputs *inputs);
 
 // Use a linked view, and set everything that is the same for all tiles and samples of a picture,

@@ -10,8 +10,8 @@
 // compiled, and from then on each call waits for the GPU.
 //   inputs  the inputs of the picture that is shown, with the camera before the move
 //   to      the camera's destination, scene units; receives the point where the camera stops
-// If the program does not link or the driver has no target for it, reports the error, leaves to
-// unchanged and returns false.
+// If the program does not link or the driver cannot create a target for it, reports the error and
+// returns false; the destination is then unchanged.
 bool room_keep(struct renderer *renderer, const struct renderer_inputs *inputs, float to[3]);
 
 #endif

@@ -7,7 +7,7 @@
 #include "memory.h"
 #include "number.h"
 
-#define ROUND 10000.0 // numbers are rounded to multiples of its inverse
+#define ROUND 10000.0 // numbers are rounded to multiples of 1 / ROUND
 #define LIMIT 1e9     // largest amount or coordinate; a float this large has no fraction
 
 // ---- Strokes ----

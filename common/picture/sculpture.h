@@ -13,7 +13,7 @@
 
 // A line through points, drawn with one movement of the pointer.
 struct stroke {
-    double amount;      // the tool's size, such as a radius; a negative amount does the opposite
+    double amount;      // the tool's size, such as a radius; if negative, the tool works in reverse
     double (*point)[3]; // in the volume's coordinates; owned
     int points;
 };
@@ -21,7 +21,7 @@ struct stroke {
 struct strokes {
     struct stroke *item; // owned
     int count;
-    int taken_back; // number of strokes taken back so far
+    int taken_back; // number of strokes taken back so far that had points
 };
 
 // The ray under the pointer, with which a tool aims.
@@ -59,7 +59,7 @@ struct sculpture {
     // NULL until there is a stroke. Owned.
     unsigned char *original, *before, *now;
     // The strokes that have been applied, and their taken_back at that time; the number of whole
-    // strokes applied, and the number of points of the next stroke.
+    // strokes applied, and the number of points applied of the next stroke.
     const struct strokes *strokes;
     int taken_back, done, points;
 };

@@ -1,5 +1,5 @@
 // slice.h - how the slice view frames the plane of a ray, and how the plot view frames the
-// distances below it.
+// distances, which it plots below the slice.
 #ifndef SLICE_H
 #define SLICE_H
 
@@ -38,8 +38,8 @@ struct plot_frame {
 float slice_cell(int height);
 
 // Frame a march from behind the eye to a little past the march's end. A ray that passed the far
-// limit is shown to a little past its point nearest to the scene, or, if that point is its start, a
-// little past its last step.
+// limit is shown to a little past its point nearest to the scene or, if that point is its start, to
+// a little past its last step.
 //   zoom  1 or 0 frames the march as above; any other value z enlarges the frame's contents z
 //         times, around the point of the march nearest to the scene
 struct slice_frame slice_frame_of(const struct probe *probe, int width, int height, float zoom);

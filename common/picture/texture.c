@@ -136,7 +136,7 @@ bool texture_image_read(struct texture_image *image, const struct sampler *sampl
         done = make_levels(image, code, first_level(image, &bytes, code, size), size);
         snprintf(why, IMAGE_WHY, "not enough memory for %dx%d pixels", bytes.width, bytes.height);
     } else
-        snprintf(why, IMAGE_WHY, "%d slices do not divide its height of %d pixels", slices,
+        snprintf(why, IMAGE_WHY, "%d slices do not divide the height of %d pixels", slices,
                  bytes.height);
     free(bytes.value);
     if (!done)
@@ -160,7 +160,7 @@ static bool within_driver(const struct gl *gl, const struct texture_image *image
     gl->GetIntegerv(volume ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &most);
     for (int i = 0; i < 3; i++)
         if (image->size[0][i] > most) {
-            snprintf(why, IMAGE_WHY, "a side of %d: the driver supports at most %d",
+            snprintf(why, IMAGE_WHY, "a side of %d texels: the driver supports at most %d",
                      image->size[0][i], most);
             return false;
         }
@@ -205,7 +205,7 @@ static bool load(struct texture *texture, const struct gl *gl, const struct samp
         return false;
     bool done = within_driver(gl, &image, sampler->slices > 0, why);
     if (done && !upload(texture, gl, &image, sampler)) {
-        snprintf(why, IMAGE_WHY, "the driver has no room for %dx%dx%d", image.size[0][0],
+        snprintf(why, IMAGE_WHY, "the driver has no room for %dx%dx%d texels", image.size[0][0],
                  image.size[0][1], image.size[0][2]);
         done = false;
     }

@@ -1,4 +1,4 @@
-// texture.h - loads the pictures that a shader reads from PNG files into OpenGL textures.
+// texture.h - loads the PNG files that a shader's samplers read into OpenGL textures.
 #ifndef TEXTURE_H
 #define TEXTURE_H
 

@@ -149,7 +149,7 @@ bool platform_target(const char *path, char target[PLATFORM_PATH], char why[PLAT
     if (error != 0)
         return refuse(why, strerror(error));
     if (target[strlen(target) - 1] == '/')
-        return refuse(why, "a name that ends in / is a folder's: give the name of a file");
+        return refuse(why, "a name that ends in / denotes a folder: give the name of a file");
     return folder_writable(target, why);
 }
 

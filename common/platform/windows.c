@@ -1,6 +1,6 @@
-// platform.h for Windows: files, the program, its environment. It calls the system directly,
-// because the functions of its C library support neither UTF-8 nor a rename that replaces a file,
-// and they prevent other programs from replacing an open file. Paths have '/' between their parts.
+// platform.h for Windows: files, the program, its environment. This file calls the system directly,
+// because the C library of Windows supports neither UTF-8 nor a rename that replaces a file, and
+// prevents other programs from replacing an open file. Paths have '/' between their parts.
 #include "platform.h"
 
 #include <errno.h>
@@ -15,12 +15,12 @@
 enum {
     TRIES = 20,       // retries while another program, such as an editor, has a file open
     TRY_AGAIN = 50,   // ms
-    PLAIN_PATH = 240, // a path with fewer characters is passed without a prefix
+    PLAIN_PATH = 240, // a path with fewer characters gets no prefix; see widen
     BESIDE = 40       // bytes for the name of a new file beside a target
 };
 
 #define SHARED       (FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE)
-#define SINCE_1601   116444736000000000LL // the start of 1970, in steps of 100 ns
+#define SINCE_1601   116444736000000000LL // the start of 1970, in steps of 100 ns since 1601
 #define POSIX_RENAME 3                    // FILE_RENAME_REPLACE_IF_EXISTS | _POSIX_SEMANTICS
 
 // ---- Text ----
@@ -60,7 +60,7 @@ static bool narrow(const wchar_t *wide, char path[PLATFORM_PATH])
     return true;
 }
 
-// Return the errno that corresponds to the system's last error, or EIO if there is none.
+// Return the errno that corresponds to the system's last error, or EIO if no errno does.
 static int last_errno(void)
 {
     static const struct {
@@ -169,7 +169,7 @@ char *platform_resolve(const char *path)
     DWORD length = GetFinalPathNameByHandleW(handle, whole, PLATFORM_PATH, VOLUME_NAME_DOS);
     CloseHandle(handle);
     // GetFinalPathNameByHandleW may fail on a virtual drive, which a program provides. The given
-    // path is used instead.
+    // path is then used instead.
     bool told = (length > 0 && length < PLATFORM_PATH) || widen(path, whole);
     return told ? plain(whole) : NULL;
 }
@@ -253,10 +253,10 @@ static bool may_create(const char *path, char why[PLATFORM_WHY])
     if (errno != ENOENT || path[0] == '\0')
         return refuse(why, platform_why(errno));
     if (path[strlen(path) - 1] == '/')
-        return refuse(why, "a name that ends in / is a folder's: give the name of a file");
+        return refuse(why, "a name that ends in / denotes a folder: give the name of a file");
     // A name with a colon would denote a stream of another file.
     if (strpbrk(path + name_at(path), "<>:\"|?*") != NULL)
-        return refuse(why, "a name must not contain < > : \" | ? *: give another");
+        return refuse(why, "a name must not contain < > : \" | ? *: choose another name");
     if (widen(path, wide) && GetFileAttributesW(wide) != INVALID_FILE_ATTRIBUTES)
         return refuse(why, "it is a broken link: give the name of a file");
     return true;
@@ -308,9 +308,9 @@ static bool rename_as_posix(const wchar_t *name, const wchar_t *target)
     return done;
 }
 
-// Rename a file to its target. If access is denied, another program has the target open, because
-// platform_target has checked that the target is not write-protected; then the rename is tried
-// again. Returns 0 or an errno.
+// Rename a file to its target. If access is denied, another program must have the target open,
+// since platform_target has checked that the target is not write-protected; the rename is then
+// tried again. Returns 0 or an errno.
 static int put_in_place(const wchar_t *name, const wchar_t *target)
 {
     for (int i = 0; !MoveFileExW(name, target, MOVEFILE_REPLACE_EXISTING); i++) {

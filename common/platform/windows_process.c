@@ -10,7 +10,7 @@
 #include <windows.h>
 
 #define STACK_LEFT (64 * 1024) // bytes of stack for on_crash if the driver uses up the rest
-#define SINCE_1601 11644473600 // the start of 1970, in seconds
+#define SINCE_1601 11644473600 // the start of 1970, in seconds since 1601
 
 static struct {
     const char *words, *lost_page;

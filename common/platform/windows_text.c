@@ -11,7 +11,7 @@
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
 
-enum { STREAMS = 16 }; // maximum number open at the same time
+enum { STREAMS = 16 }; // maximum number of streams open at the same time
 
 static struct {
     FILE *stream;

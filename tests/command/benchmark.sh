@@ -124,7 +124,7 @@ unmarched() {
         run --benchmark 1 -s 20x10 -f "$scratch/count.frag" && ! grep -q '^march' "$scratch/out"
 }
 check 'without a march there is no bound' unmarched
-whole() { run --benchmark 2 -f tests/pictures/reference_scene.frag -s 32x18 && grep -q 'not counted in a file with its own main' "$scratch/out" &&
+whole() { run --benchmark 2 -f tests/pictures/reference_scene.frag -s 32x18 && grep -q "counted only in the course's dialect" "$scratch/out" &&
     run --benchmark 2 --benchmark=json -f tests/pictures/reference_scene.frag -s 32x18 && [ "$(value evaluations_mean)" = null ] &&
     [ "$(value march_over_bound)" = null ]; }
 check 'no evaluations are counted in a file with its own main' whole

@@ -62,7 +62,7 @@ TEST(a_ray_s_march_is_described)
     assert_true(says("ray of pixel 31, 47"));
     assert_true(says("1.50000") && says("0.250000"));
     assert_true(says("miss: passed the far limit"));
-    assert_true(says("steps 2, of further rays 69"));
+    assert_true(says("steps 2 (further rays: 69)"));
     assert_true(says("evaluations of the scene 346"));
     assert_true(says("colour 7, 0, 255"));
 }

@@ -31,7 +31,7 @@ TEST(a_picture_that_cannot_be_a_texture_is_refused)
     free(sample);
     assert_refused("none.png", 0, "No such file");
     assert_refused("large.png", 0, "too many pixels");
-    assert_refused("volume.png", 5, "5 slices do not divide its height of 12 pixels");
+    assert_refused("volume.png", 5, "5 slices do not divide the height of 12 pixels");
     assert_refused("volume.png", 24, "24 slices do not divide");
 }
 
