@@ -1,8 +1,8 @@
 # All commands of the project; `make help` lists them. GNU make 3.81 is enough.
 # Chapters, modules and tests are found by their names, never listed.
 
-# The driver draws the pictures, so -O2 takes a quarter longer to compile and draws no faster. Programs built with
-# WINDOWS=1 are handed out, so they have no symbols for a debugger.
+# -O2 would take a quarter longer to compile and draw no faster, because the driver draws the pictures. Programs built
+# with WINDOWS=1 are handed out, so they have no symbols for a debugger.
 CFLAGS ?= -O1$(if $(WINDOWS),, -g)
 OPTIONS =
 CHAPTER =
@@ -108,8 +108,8 @@ COMPILE = $(LANGUAGE) $(WARNINGS) $(HAVE) $(HEADERS) $(INSTRUMENT) $(CFLAGS)
 
 # `make SANITIZE=1 programs tests` builds with the sanitizers into build/sanitize/. Mesa unloads its drivers, and
 # leak reports from unloaded code have no names, so this build has an empty dlclose.
-# `make FUZZER=1 fuzzer` builds the target of libFuzzer into build/fuzz/; `make WEB=1 module` builds the same
-# sources for a browser into build/web/.
+# `make FUZZER=1 fuzzer` builds the target of libFuzzer into build/fuzz/; `make WEB=1 module` builds the programs
+# for a browser, as one module, into build/web/.
 CHECKS = address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 ifneq ($(FUZZER),)
 CC = clang
@@ -149,8 +149,8 @@ ABSENT += $(if $(WEB),common/window/full_screen.c)
 ABSENT += $(if $(WEB),$(patsubst %,common/%.c,context/egl context/osmesa context/guard picture/image_read picture/image_write platform/posix_process window/none),$(BROWSER))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES))) $(BUILD)/common/picture/font.o
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
-# The code shared by tests is an archive, from which the linker takes the objects that a test or a figure uses. No code
-# refers to choice.c, so it is linked separately.
+# The code that tests share is in an archive, from which the linker takes the objects that a test or a figure uses. No
+# code refers to choice.c, so that file is linked separately.
 SUPPORT := $(filter-out %/system_$(if $(EXE),posix,windows).c %/choice.c %/no_dlclose.c %/user.c %/session.c,$(wildcard tests/lib/*.c))
 SUPPORT := $(SUPPORT:%.c=$(BUILD)/%.o)
 PARTS := $(BUILD)/tests/parts.a
@@ -217,7 +217,8 @@ $(BUILD)/tests/draw$(EXE): $(TOGETHER_PARTS)
 $(patsubst %,$(BUILD)/tests/%$(EXE),measure draw): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/tools/%.o $(TEST_PARTS)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(CMOCKA) $(LINK)
 
-# The tests of the window replace some functions of GLFW, which is not a separate library on Windows.
+# The tests of the window replace some functions of GLFW. On Windows, where GLFW is linked statically, the linker must
+# allow two definitions of these functions.
 $(filter-out %/watch$(EXE),$(filter $(BUILD)/tests/window/%,$(TESTS))): $(patsubst %,$(BUILD)/tests/lib/%.o,$(if $(filter egl,$(BACKENDS)),session) user) $(TOGETHER_PARTS)
 $(BUILD)/tests/window/%.exe: LDFLAGS += -Wl,--allow-multiple-definition
 

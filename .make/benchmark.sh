@@ -1,10 +1,10 @@
 #!/bin/sh
-# benchmark.sh - `make benchmark`: print the cost of each chapter at 640x360, in milliseconds and in units of
+# benchmark.sh - `make benchmark`: print the cost of each chapter at 640x360, in milliseconds and relative to
 # tests/pictures/reference_scene.frag, and compare it with the table in docs/benchmark.md.
 #
 # Environment: CHAPTER, a single chapter to measure; ROUNDS, the number of measurements, and FRAMES, the number of
-# frames in each; WRITE=1, to write the table to docs/benchmark.md. With STEPS=1, steps.sh prints its table instead; with
-# MARCHES=1, marches.sh does.
+# frames in each; WRITE=1, to write the table to docs/benchmark.md. With STEPS=1, steps.sh prints its table instead;
+# with MARCHES=1, marches.sh does.
 set -u
 . .make/chapters.sh
 
@@ -85,7 +85,7 @@ old_backend=$(sed -n '/;/ { s/;.*//; p; q; }' "$work/old")
 if [ -z "$old_backend" ]; then
     echo "$page has no table yet: WRITE=1 writes one."
 elif [ "$old_backend" != "$(cat "$work/backend")" ]; then
-    echo "The table in $page was measured with another renderer ($old_backend), so the two are not compared."
+    echo "The table in $page was measured with another renderer ($old_backend), so it is not compared with this one."
 else
     for stem in $stems; do
         before=$(sed -n "s/^| $stem | \([0-9.]*\) .*/\1/p" "$work/old")

@@ -1,6 +1,6 @@
 -- book.lua - turns a page of docs/ into a chapter of the book: links between pages become links inside the book, a
--- picture that is a paragraph by itself becomes a numbered figure, folds move to the end of the chapter, and comments
--- are removed. Metadata: page, the name of the file, such as 03_shadows.md.
+-- picture that is a paragraph by itself becomes a numbered figure, folds (<details>) move to the end of the chapter,
+-- and comments are removed. Metadata: page, the name of the file, such as 03_shadows.md.
 
 local pages = dofile('.make/pages.lua')
 local page = 'page'
@@ -51,8 +51,7 @@ local function formula(element)
     end
 end
 
--- The length of a cell's text, or 60 if the cell has a picture. The columns of a wide table share its width in
--- proportion to their longest cells.
+-- The length of a cell's text, or 60 if the cell has a picture.
 local function width_of(cell)
     local pictures = false
     pandoc.walk_block(pandoc.Div(cell.contents), {Image = function(image)
@@ -61,8 +60,8 @@ local function width_of(cell)
     return pictures and 60 or #pandoc.utils.stringify(pandoc.Div(cell.contents))
 end
 
--- The length of the longest word in a cell, at most 24, because a word cannot be broken. Code can be broken, and the
--- source of a formula says little about its width.
+-- The length of the longest word in a cell, which cannot be broken, but at most 24. Code is left out because it can be
+-- broken, and formulas because the length of their source says little about their width.
 local function word_of(cell)
     local most = 0
     local prose = pandoc.walk_block(pandoc.Div(cell.contents), {
@@ -100,8 +99,8 @@ local function table_widths(element)
         total = total + longest[i]
         words = words + word[i]
     end
-    -- Each column has room for its longest word. The rest of the line, which has at least 84 characters, is shared in
-    -- proportion to the length of the text.
+    -- A line has at least 84 characters. Each column has room for its longest word, and the columns share the rest of
+    -- the line in proportion to their longest cells.
     local line = math.max(84, 1.1 * words)
     for i, spec in ipairs(element.colspecs) do
         element.colspecs[i] = {spec[1], word[i] / line + (1 - words / line) * longest[i] / total}
@@ -124,7 +123,7 @@ end
 
 -- ---- Folds ----
 
--- The name of a fold's owner: 'Exercise 3' or 'Experiment 3', or the title of the section if it has no number.
+-- The name of a fold's owner: an exercise ('Exercise 3'), an experiment ('Experiment 3'), or otherwise the section.
 local function owner(title, number)
     local kind = number and ({Experiments = 'Experiment', Exercises = 'Exercise'})[title]
     return kind and kind .. ' ' .. number or title

@@ -1,6 +1,6 @@
 #!/bin/bash
-# book.sh - `make book`: typeset all pages as one PDF, build/book.pdf, with a table of contents, numbered figures
-# and listings. pandoc reads the pages, and XeLaTeX typesets them.
+# book.sh - `make book`: typeset all pages as one PDF, build/book.pdf, with a table of contents and numbered figures.
+# pandoc reads the pages, and XeLaTeX typesets them.
 set -u
 export LC_ALL=C
 . .make/pages.sh

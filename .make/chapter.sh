@@ -12,7 +12,7 @@ fail() {
 }
 
 [ -n "${NAME-}" ] || fail 'NAME is missing; for example: make chapter NAME=soft_shadows'
-[[ $NAME =~ ^[a-z][a-z0-9_]*$ ]] || fail "NAME=$NAME: may contain only lower-case letters, digits and _, such as soft_shadows"
+[[ $NAME =~ ^[a-z][a-z0-9_]*$ ]] || fail "NAME=$NAME: must begin with a lower-case letter, followed only by lower-case letters, digits and _, as in NAME=soft_shadows"
 last=$(stems | tail -n 1)
 number=$(printf '%02d' $((10#${last%%_*} + 1)))
 [ "$number" -le 99 ] || fail 'there are already a hundred chapters'

@@ -40,7 +40,7 @@ in_file() {
     echo "  $picture"
 }
 
-# write_table NAME FILE: replace the table between the comments NAME and /NAME of docs/benchmark.md.
+# write_table NAME FILE: in docs/benchmark.md, replace the table between the comments NAME and /NAME with that of FILE.
 write_table() {
     awk -v name="$1" -v table="$2" '
         $0 == "<!-- " name " -->" { print; while ((getline line < table) > 0) print line; skip = 1; next }

@@ -1,18 +1,19 @@
 #!/bin/bash
 # check.sh - `make check EXERCISE=03_2 FILE=my.frag`: check a reader's solution to an exercise. The file and the
 # solution in chapters/solutions are rendered with the options that tests/pictures/images.txt and
-# tests/course/checks.txt list for the exercise. The pictures of both and the marches of some rays are compared.
-# EXERCISE=engine_1 is an exercise of docs/engine.md: FILE is a C program, which is built and run.
+# tests/course/checks.txt list for the exercise. The pictures of both and the marches of some rays are compared. For an
+# exercise of docs/engine.md, such as EXERCISE=engine_1, FILE is a C program, which is built and run.
 #
-# The course for students has no solutions, only what `make student` has stored in tests/course/stored/EXERCISE/:
-# the solutions' pictures N.png, their rays, what their programs do (N.outcome), and a checksum of their text.
+# The course for students has no solutions. For each exercise, `make student` has stored what a check needs of the
+# solution in tests/course/stored/EXERCISE/: its pictures N.png, its rays, what its program does (N.outcome), and a
+# checksum of its text.
 #
 # Environment: EXERCISE; FILE, or FILES for a table with one line for each file. FILES is a pattern, or several patterns
-# separated by spaces. Pictures of the differences are left in build/check/EXERCISE/, each under the path of its file.
-# For `make marks`, the files are arguments, and MARKS names a file that receives a line for each of them, with fields
-# separated by tabs: exercise, file, mark, verdict, its picture, the right picture ('-' if there is none). If the
-# solution exists, wrong.txt in the same folder lists the wrong pictures, as scenes for `make lecture`. For
-# `make student`, STORE is a folder in which the solution's pictures and rays are stored; no file is checked.
+# separated by spaces. Pictures of the differences are left in build/check/EXERCISE/, each under the path of its file;
+# if the solution exists, wrong.txt in that folder lists the wrong pictures, as scenes for `make lecture`. CHECK_FOLDER
+# replaces build/check/. For `make marks`, the files are arguments, and MARKS names a file that receives a line for each
+# of them, with fields separated by tabs: exercise, file, mark, verdict, its picture, the right picture ('-' if there is
+# none). For `make student`, STORE is a folder in which the solution's pictures and rays are stored; no file is checked.
 # Exit status: 0 if every file is right, 1 if one is not, 2 if the files cannot be checked.
 set -u
 export LC_ALL=C
@@ -102,8 +103,8 @@ keep_pictures() { # N PICTURE
     printf '%s\t%s\n' "$2" "${2%.png}.right.png" >"$scratch/kept"
 }
 
-# Build a C program as docs/engine.md says, and print what one command line does: its status, and the file and line
-# that its message names.
+# Build a C program as docs/engine.md says, and print what it does with one command line: that it writes a picture, or
+# its exit status and, if that is 1, the file and line that its message names.
 build_program() { # SOURCE PROGRAM
     # shellcheck disable=SC2046 # flags are words
     "${CC:-cc}" -o "$2" "$1" $(pkg-config --cflags --libs glfw3 egl libpng) -lm 2>"$scratch/errors"
@@ -127,7 +128,7 @@ right_outcome() { # N OPTIONS
     }
 }
 
-# Judge a C program: on each command line it must end as the solution does, and write the same picture.
+# Judge a C program: with each command line, it must end as the solution does, and write the same picture.
 judge_program() { # FILE DIFFERENCE
     local options said right number=0 shares=()
     build_program "$1" "$scratch/mine" || { echo "does not compile: $(grep -m 1 error "$scratch/errors")"; return 1; }
@@ -136,7 +137,7 @@ judge_program() { # FILE DIFFERENCE
         right_outcome "$number" "$options"
         right=$(cat "$scratch/$number.outcome")
         said=$(outcome mine "$options")
-        [ "$said" = "$right" ] || { echo "with -o FILE.png $options it $said, but the solution $right"; return 1; }
+        [ "$said" = "$right" ] || { echo "with -o FILE.png $options the program $said, but the solution $right"; return 1; }
         [[ $right == writes* ]] || continue
         said=$(build/tests/judge picture "$options" "$scratch/$number.png" "$scratch/mine.png" "$2") || { tail -n 1 <<<"$said: see $2"; return 1; }
         shares+=("$(sed -n 2p <<<"$said")")
@@ -226,7 +227,7 @@ store() { # FOLDER
 case ${EXERCISE-} in
 [0-9][0-9]_[0-9]* | engine_[0-9]*) ;;
 '') fail "which exercise? For example: make check EXERCISE=03_2 FILE=my.frag" ;;
-*) fail "EXERCISE=$EXERCISE: must be a chapter and a number, such as 03_2" ;;
+*) fail "EXERCISE=$EXERCISE: must be a chapter, or engine, and a number, such as 03_2 or engine_1" ;;
 esac
 stem=$(basename "$(echo chapters/"${EXERCISE%%_*}"_*.c)" .c)
 wanted=$(pictures_of "$stem" "${EXERCISE#*_}")

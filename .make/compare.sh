@@ -1,5 +1,5 @@
 #!/bin/bash
-# compare.sh - `make compare PICTURES='one.png two.png'`: print in one line how much two pictures differ. If they differ
+# compare.sh - `make compare PICTURES='one.png two.png'`: print on one line how much two pictures differ. If they differ
 # by more than rounding, a picture of the difference is left in build/compare.png.
 #
 # Environment: PICTURES. Exit status: 0 if the pictures are the same within the tolerance, 1 if they are not, 2 if they

@@ -4,7 +4,7 @@
 # NN_K|STEM|OPTIONS|OPTIONS AS SHOWN|OPTIONS OF ITS RAYS|PIXELS OF ITS RAYS.
 export LC_ALL=C
 
-# Print NN_K for every exercise that has a solution. The course for students has only the lines of checks.txt.
+# Print NN_K for every exercise that has a solution. In the course for students, only checks.txt lists exercises.
 exercises() {
     awk '$2 ~ /^solution-[0-9]+$/ { sub(/^solution-/, "", $2); print substr($1, 1, 2) "_" $2 }
         $1 ~ /^[0-9][0-9]_[0-9]+$/ { print $1 }' \
@@ -14,7 +14,7 @@ engine_exercises() {
     grep -o '^engine_[0-9]*' tests/course/checks.txt | uniq
 }
 
-# Print the options of each picture of the exercise, one line each, with long names and without the solution's file.
+# Print the options of each picture of an exercise, one line each, with long names and without the solution's file.
 pictures_of() { # STEM NUMBER
     awk -v stem="$1" -v number="$2" '
         BEGIN {

@@ -1,9 +1,10 @@
 #!/bin/sh
 # film.sh [OPTION...] - `make film`: make an MP4 and a GIF of a chapter with ffmpeg.
 #
-# Environment: CHAPTER, "03" or a whole stem (if empty, the first chapter); FRAMES, the number of pictures; FPS, their
-# number per second; VIEW, the view. The slice and the plot show one ray, and their films follow this ray from its
-# first step to its last. The pictures stay in build/film/STEM/. If the command is interrupted, the old film is kept.
+# Environment: CHAPTER, "03" or a whole stem (if empty, the first chapter); FRAMES, the number of pictures; FPS, how
+# many of them a second shows; VIEW, the view. The slice and the plot show one ray, and their films follow this ray from
+# its first step to its last. The pictures stay in build/film/STEM/. If the command is interrupted, the old film is
+# kept.
 set -u
 . .make/chapters.sh
 

@@ -2,12 +2,12 @@
 # fresh.sh - `make test-fresh`: check that the README's two commands work on a bare machine.
 #
 # For each release, debootstrap makes a bare root file system, to which only git, make and certificates are added,
-# because a reader needs them to fetch the project and to type a command. It is kept as an archive, which is unpacked
-# for each try, and receives a clone of the last commit. In the first kind of try, the user root types the commands. In
-# the second, a reader who may not install packages gives root the command that `make run` prints, and then continues. A
-# try passes if every command succeeds, at least one test passed, none failed, and every skipped test is listed in
-# tests/lib/skipped.txt. Only a few suites are run, which together need every package of both commands; ALL=1 runs the
-# whole `make test`. The output of the commands is in build/fresh/.
+# because a reader needs them to fetch the project and to type a command. The file system is kept as an archive. For
+# each try, the archive is unpacked, and a clone of the last commit is added. In the first kind of try, the user root
+# types the commands. In the second, a reader who may not install packages gives root the command that `make run`
+# prints, and then continues. A try passes if every command succeeds, at least one test passes, none fails, and every
+# skipped test is listed in tests/lib/skipped.txt. Only a few suites are run, which together need every package of both
+# commands; ALL=1 runs the whole `make test`. The output of the commands is in build/fresh/.
 #
 # A third kind of try, with ALL=1, imitates a machine in the cloud. It runs the commands of
 # .devcontainer/devcontainer.json and then, in the course for students, the commands of its workflow with a right answer
@@ -131,7 +131,7 @@ archive() {
     local file=$archives/$1.tar.gz root=$roots/$1
     [ -z "$(find "$file" -mtime -30 2>/dev/null)" ] || return 0
     mkdir -p "$archives"
-    printf '%-24s making a bare root, once\n' "$1"
+    printf '%-24s making a bare root, which is kept for a month\n' "$1"
     eval "$(apt-config shell http_proxy Acquire::http::Proxy https_proxy Acquire::https::Proxy)"
     export http_proxy https_proxy
     isolated debootstrap --variant=minbase --include=ca-certificates,git,make "$1" "$root" "$mirror" \
@@ -145,7 +145,7 @@ archive() {
     return "$status"
 }
 
-# unpack RELEASE USER: unpack a root into $root, with a clone that USER owns.
+# unpack RELEASE USER: unpack a root into a folder, add a clone that USER owns, and set root to the folder's path.
 unpack() {
     root=$roots/$1-$2
     local home=$root/root
@@ -201,7 +201,7 @@ two_commands() {
     done < <(commands)
 }
 
-# The user's first command must fail and print, on a separate line, the command that root has to type.
+# The user's first command must fail and print, on a separate line, the command that root then types.
 hand_over() { # RELEASE
     local command
     within "$root" reader 'cd course && make run' && { echo 'make run did not ask for anything.'; return 1; }
@@ -210,7 +210,7 @@ hand_over() { # RELEASE
     within "$root" root "$command"
 }
 
-# Print the commands of a machine in the cloud, and those of the workflow in the course for students.
+# Print the command NAME of .devcontainer/devcontainer.json, and those of the workflow in the course for students.
 devcontainer() { # NAME
     sed -n "s/^ *\"$1\": \"\(.*\)\",*\$/\1/p" .devcontainer/devcontainer.json
 }

@@ -3,28 +3,29 @@
 # sanitizers. It starts from the files in tests/corpus/NAME; tests/lib/fuzz.h lists the conditions that must hold.
 #
 # Environment: DURATION, seconds for each target, 60 by default. Exit status: 0 if nothing was found; 1 after a crash, a
-# leak, a hang (5 s for one input) or a violated condition. The input is then kept in build/fuzz/; add it to
-# tests/corpus after the error is corrected.
+# leak, a hang (5 s for one input) or a violated condition; 2 if DURATION is invalid. The input that causes an error is
+# kept in build/fuzz/; add it to tests/corpus after the error is corrected.
 set -u
 export LC_ALL=C
 
 folder=build/fuzz
 duration=${DURATION:-60}
 case $duration in
-'' | *[!0-9]* | 0*) echo "make: DURATION=$duration: must be a whole number of seconds, as in DURATION=60" >&2; exit 2 ;;
+'' | *[!0-9]* | 0*) echo "make: DURATION=$duration: must be a positive whole number of seconds, as in DURATION=60" >&2; exit 2 ;;
 esac
 export ASAN_OPTIONS=detect_leaks=1
 export UBSAN_OPTIONS=print_stacktrace=1
 
 running=''
-# Files in memory are written faster. libFuzzer exits without removing its files.
+# TMPDIR is in memory if possible, because files are written faster there. It is removed at the end, because libFuzzer
+# exits without removing its files.
 TMPDIR=$(mktemp -d -p "$([ ! -w /dev/shm ] || echo /dev/shm)") || exit 1
 export TMPDIR
 trap 'rm -rf "$TMPDIR"' EXIT
 trap 'kill $running 2>/dev/null; wait; exit 1' HUP INT TERM
 
-# New inputs that libFuzzer finds are kept for the next run, separately from the committed files. The tests use the
-# program's standard error, so -close_fd_mask=2 makes libFuzzer keep its own copy.
+# New inputs that libFuzzer finds are kept for the next run, separately from the committed files. The targets capture
+# standard error, so -close_fd_mask=2 makes libFuzzer write its messages to a copy of the descriptor.
 fuzz() { # TARGET
     mkdir -p "$folder/found/$1"
     FUZZ=$1 exec "$folder/tests/fuzz" -max_total_time="$duration" -timeout=5 -rss_limit_mb=2048 -max_len=4096 \

@@ -25,8 +25,8 @@ end
 
 -- ---- Questions and answers ----
 
--- The index of the inline that closes the bracket opened at inline i, or nil if the bracket is not an answer. An answer
--- follows the end of a sentence.
+-- The index of the inline that closes the answer's bracket opened at inline i, or nil if no answer begins there. An
+-- answer follows the end of a sentence.
 local function answer_at(inlines, i)
     local inline, before = inlines[i], inlines[i - 1]
     if inline.t ~= 'Str' or inline.text:sub(1, 1) ~= '(' then return nil end
@@ -113,7 +113,7 @@ local function questions(chapter)
     return found
 end
 
--- At most four questions in all, and at most the same number from each chapter.
+-- The blocks of at most four questions, which the chapters share equally.
 local function question_blocks(chapters)
     local blocks = {}
     for _, chapter in ipairs(chapters) do

@@ -2,16 +2,17 @@
 # lint.sh - `make lint`: check every source with every checker that knows its language. make calls it after the programs
 # are built. CFLAGS contains the options for the language, the warnings and this machine's libraries.
 #
-# A source that passed is not checked again until a file that its checkers read has changed. The name of its stamp
-# contains the language, and checksums of the checkers' settings and of the source. The stamp lists the checksum of
-# every file that was read.
+# A source that passes gets a stamp, and is not checked again until a file that its checkers read has changed. A stamp
+# is a file whose name contains the language, the source's name, and checksums of the checkers' settings and of the
+# source. It lists the checksum of every file that was read.
 set -u
 export LC_ALL=C
 
 scratch=build/lint
 stamps=${XDG_CACHE_HOME:-$HOME/.cache}/ray-marching/lint
 read -r -a flags <<<"${CFLAGS-}"
-# In a function with many paths, clang's analyzer needs seconds for the last of them; ALL=1 lets it follow more paths.
+# In a function with many paths, clang's analyzer needs seconds for the last of them, so the number of its states is
+# limited. ALL=1 raises the limit.
 states=${ALL:+225000}
 states=${states:-50000}
 windows=(-std=c11 -D_WIN32_WINNT=0x0A00 -Icommon -Ishaders -Itests -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
@@ -35,8 +36,8 @@ compile() { # COMPILER TARGET FLAG...
     check_cppcheck
 }
 
-# cppcheck reads no system headers. Two of its checks are therefore suppressed: it would take functions of unknown type
-# to return integers, and it does not follow realloc as clang's analyzer does.
+# Two of cppcheck's checks are suppressed: it reads no system headers, so it would take functions of unknown type to
+# return integers; and it does not follow realloc as clang's analyzer does.
 check_cppcheck() {
     cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 \
         --enable=warning,performance,portability --suppress=missingIncludeSystem \
@@ -158,7 +159,7 @@ here=() elsewhere=()
 for file in $(find common chapters shaders tests docs -name '*.c' | sort); do
     case $file in */platform/windows*.c | *_windows.c) elsewhere+=("$file") ;; *) here+=("$file") ;; esac
 done
-# The layout has no stamps: computing the checksums would take as long as the check.
+# The check of the layout uses no stamps, because computing the checksums would take as long as the check itself.
 find common chapters shaders tests docs -name '*.[ch]' -print0 |
     xargs -0 -P "$jobs" -n 100 clang-format --dry-run --Werror || failed=1
 lint shell shellcheck .make/*.sh tests/run tests/*/*.sh .ci/run

@@ -1,8 +1,8 @@
 #!/bin/sh
-# marches.sh - `make benchmark MARCHES=1`: measure seven marches in eleven scenes, and print their costs and their
+# marches.sh - `make benchmark MARCHES=1`: measure seven marches in eleven scenes, and print tables of their costs and
 # errors.
 #
-# Environment: WRITE=1 writes both tables to docs/benchmark.md.
+# Environment: WRITE=1, to write the tables to docs/benchmark.md.
 set -u
 . .make/chapters.sh
 

@@ -9,7 +9,8 @@
 # exercise, such as 03_1 in "lamp 03_1.frag".
 #
 # Environment: FILES; EXERCISES; CSV, a file for the table, by default build/marks/marks.csv; CHECK_LIMIT, the seconds
-# of processor time for one picture, by default 20. Exit status: 0 if every file could be judged, 2 if not.
+# of processor time for one picture, by default 20. Exit status: 0 if the table could be written, 2 if not. A file that
+# is not marked because of its name is only reported.
 set -u
 export LC_ALL=C CHECK_LIMIT=${CHECK_LIMIT:-20}
 
@@ -38,7 +39,7 @@ student_of() { # FILE
     echo "${name#"$common"}"
 }
 
-# Print the longest common prefix of the lines that ends in '/'.
+# Print the longest prefix that all lines share and that ends in '/'.
 common_folder() {
     awk 'NR == 1 { common = $0 }
         { while (substr($0, 1, length(common)) != common) common = substr(common, 1, length(common) - 1) }
@@ -90,8 +91,9 @@ for file in "${files[@]}"; do
     [ -n "$(exercise_of "$file")" ] || echo "$file: its name contains none of ${exercises[*]}: not marked" >&2
 done
 
-# Write the same lines with the student added and with copies marked. An empty file and the chapter's own shader are
-# nobody's work, so two such files do not count as copies.
+# Write the same lines with the student and a checksum of the text added, and copies of the published solution marked.
+# An empty file and the chapter's own shader are nobody's work, so two such files do not count as copies: the file's
+# name replaces the checksum.
 number=0
 while IFS=$'\t' read -r exercise file mark verdict picture right; do
     [[ $verdict != 'the published solution; '* ]] || mark=copied
@@ -141,7 +143,7 @@ sort -t $'\t' -k 2,2 -k 1,1 "$folder/named" | CSV=$table awk -F '\t' -v page="$f
             print "" >csv
             printf "%-24s%s\n", student[s], text
         }
-        printf "%d students: %d right, %d wrong, %d copied\n", students, total["right"], total["wrong"], total["copied"]
+        printf "%d students; answers: %d right, %d wrong, %d copied\n", students, total["right"], total["wrong"], total["copied"]
     }' 2>/dev/null || fail "$table or $folder/index.html: cannot be written: is the disk full?"
 for exercise in "${exercises[@]}"; do
     list=$folder/pictures/$exercise/wrong.txt

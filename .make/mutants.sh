@@ -3,10 +3,10 @@
 # runs the tests that cover each, and prints those that no test catches. A mutation that does not compile is replaced
 # by another.
 #
-# Environment: FILES, the sources to mutate, by default all of common/ and shaders/; COUNT, the number of mutations, 60
-# by default, half of them in each language; SEED, the seed of the random choice, 1 by default; PICTURES, the maximum
-# number of pictures drawn for a shader, 6 by default. Exit status: 0 if at least 95 % were caught; 1 otherwise; 2 for
-# wrong arguments.
+# Environment: FILES, the sources to mutate, by default all of common/**/*.c and shaders/*.glsl; COUNT, the number of
+# mutations, 60 by default, half of them in each language; SEED, the seed of the random choice, 1 by default; PICTURES,
+# the maximum number of pictures drawn for a mutation, 6 by default. Exit status: 0 if at least 95 % were caught; 1
+# otherwise; 2 for wrong arguments.
 set -u
 export LC_ALL=C LP_NUM_THREADS=1
 unset MAKEFLAGS MAKELEVEL

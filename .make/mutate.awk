@@ -2,9 +2,9 @@
 #
 #   awk -v seed=1 -v count=30 -f .make/mutate.awk FILE...
 #
-# This prints up to count mutations, each as a line of file, line number, old line and new line, separated by byte 31.
-# Comments, strings and preprocessor lines are never changed. A line is chosen first, then one of its mutations. The
-# script has its own random generator, because every awk has a different rand.
+# The script prints up to count mutations, each as a line of file, line number, old line and new line, separated by
+# byte 31. Comments, strings and preprocessor lines are never changed. A line is chosen first, then one of its
+# mutations. The script has its own random generator, because every awk has a different rand.
 
 function random(n) # from 0 to n - 1; the products stay below 2^53, so they are exact
 {
@@ -44,7 +44,7 @@ function code_of(line,    i, c, two, quote, out)
     return out
 }
 
-# Record the mutation that replaces size characters at position at with text.
+# Record the mutation that replaces `size` characters at position `at` with `text`.
 function mutation(at, size, text)
 {
     change[lines, ++changes[lines]] = substr($0, 1, at - 1) text substr($0, at + size)

@@ -3,9 +3,9 @@
 
 local pages = {}
 
--- The target of a link in a page: its kind, its file and its anchor ('' if there is none). The kind is 'outside';
--- 'here', the same page; 'page', a page of docs/; or 'file', a file of the project, whose path is relative to the
--- project's root.
+-- The target of a link in a page: its kind, its file and its anchor ('' if there is none). The kind is 'outside' for a
+-- URL, which is returned as the file; 'here' for the same page; 'page' for a page of docs/; or 'file' for a file of the
+-- project, whose path is relative to the project's root.
 function pages.target(target)
     if target:match('^%a+:') then
         return 'outside', target, ''
@@ -20,7 +20,7 @@ function pages.target(target)
     return 'file', file:match('^%.%./(.*)$') or 'docs/' .. file, id
 end
 
--- The picture of a paragraph that contains nothing else; its alternative text becomes the caption.
+-- The picture of a paragraph that contains nothing else, or nil. Its alternative text becomes the caption.
 function pages.figure(paragraph)
     local image = #paragraph.content == 1 and paragraph.content[1]
     if image and image.t == 'Image' then
@@ -66,7 +66,7 @@ function pages.str(element)
     return parts
 end
 
--- Inline code may break after punctuation, so that long paths fit on the page.
+-- Inline code may break after punctuation and before a capital letter, so that long paths fit on the page.
 local escapes = {
     ['\\'] = '\\textbackslash{}', ['{'] = '\\{', ['}'] = '\\}', ['$'] = '\\$', ['&'] = '\\&', ['#'] = '\\#',
     ['%'] = '\\%', ['_'] = '\\_', ['^'] = '\\textasciicircum{}', ['~'] = '\\textasciitilde{}',

@@ -37,7 +37,7 @@ function question(    i) {
     if (id == "")
         return
     if (right != 1 || count < 3)
-        fail("question " id " needs one right answer and two wrong ones")
+        fail("question " id " needs exactly one right answer and at least two wrong ones")
     category()
     if (form == "gift") {
         printf "::%s::[plain]%s {\n", id, gift(words)
@@ -67,7 +67,7 @@ FILENAME ~ /[.]md$/ { if (FNR == 1) title[substr($2, 1, 2)] = substr($0, 3); nex
     words = substr($0, length($2) + 5)
     count = right = 0
     if (id !~ /^[0-9][0-9]\.[0-9]+$/ || words == "" || id in seen)
-        fail("a question begins with ## CHAPTER.NUMBER, as in ## 03.1, and each number occurs once")
+        fail("a question begins with ## CHAPTER.NUMBER and its text, as in ## 03.1 Why?, and each number occurs once")
     seen[id] = 1
     next
 }

@@ -7,8 +7,8 @@ draw_scenes() {
     mkdir -p "$2" && build/lecture --print "$1" >"$2/scenes" || return
     while IFS=$(printf '\037') read -r number _ stem options _; do
         picture=$2/$(printf '%02d' "$number").png
-        # xargs splits the options into words as build/lecture does. --overlay is removed, because the panel belongs to
-        # the window.
+        # xargs splits the options into words as build/lecture does. --overlay is removed, because it would draw the
+        # window's overlay into the picture.
         printf '%s\n' "--size 1280x720 $options" | sed 's/ --overlay[^ ]*//' | xargs "build/$stem" --output "$picture" || return
         echo "  $picture"
     done <"$2/scenes"

@@ -255,7 +255,7 @@ look() {
         windows) need_windows ;;
         wine) need_wine ;;
         *)
-            printf 'setup.sh: %s: no such set: run, test, lint, fuzz, book, web, windows, wine, student or fresh\n' "$set" >&2
+            printf 'setup.sh: %s: no such set: the sets are run, test, lint, fuzz, book, web, windows, wine, student and fresh\n' "$set" >&2
             exit 2
             ;;
         esac
@@ -280,8 +280,8 @@ available() {
     done
 }
 
-# Print the same packages for a command that begins with a refresh. Only after the refresh does apt know which packages
-# it has, and an unknown name in '?exact-name()' is not an error.
+# Print the packages in extra for a command that first refreshes the lists of packages. Until then, apt does not know
+# which packages exist, so each name is written as '?exact-name()', which may match nothing.
 useful() {
     [ "$manager" = apt-get ] || { available; return; }
     for name in $extra; do printf " '?exact-name(%s)'" "$name"; done
@@ -316,7 +316,7 @@ one_command() {
     esac
 }
 
-# Run a command quietly; if it fails, show the end of its output.
+# Run a command quietly; if it fails, show the end of its output and exit.
 quietly() {
     sh -c "$1" >>build/setup.log 2>&1 && return
     tail -n 15 build/setup.log >&2

@@ -1,6 +1,7 @@
 #!/bin/bash
-# site.sh - `make site`: build a static site from all pages in build/site/, and build/site.zip to hand out. make calls
-# it after the module is built and the node packages are installed. The same sources give the same bytes.
+# site.sh - `make site`: build a static site from all pages, as the folder build/site/ and as build/site.zip to hand
+# out. make calls this script after the module is built and the node packages are installed. The same sources give the
+# same bytes.
 set -eu
 export LC_ALL=C TZ=UTC SOURCE_DATE_EPOCH=0
 . .make/pages.sh

@@ -12,7 +12,7 @@ folder=build/slides
 rm -rf "$folder"
 draw_scenes "$list" "$folder" || exit 1
 
-# Markdown's characters are escaped, so that a sentence is printed as it is.
+# Markdown's special characters are escaped, so that a sentence is printed as it is.
 awk -F '\037' -v folder="$folder" '
     function plain(text) {
         gsub(/[][!-\/:-@\\^_`{-~]/, "\\\\&", text)

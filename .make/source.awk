@@ -35,7 +35,7 @@ function define(file, name, first, last, shape)
     to[file, name] = last
 }
 
-# Record the names that a statement in column 0 defines.
+# Record the names that a statement beginning in column 0 defines.
 function define_statement(file, text, first, last,    at, head, mark, piece, shape, n, i)
 {
     at = match(text, /[{=;(\[]/)

@@ -1,7 +1,8 @@
 #!/bin/sh
-# steps.sh - `make benchmark STEPS=1`: measure the scene of each chapter with the methods of chapter 16, one by one and
-# together. The table has the evaluations per pixel, march / bound (defined in docs/benchmark.md), and the time of a
-# frame relative to the chapter itself. If there is an experiment 16_frame_NN, its frame is measured too.
+# steps.sh - `make benchmark STEPS=1`: for each chapter that marches its scene with march or marchCone, measure the
+# scene with the methods of chapter 16, one by one and together. The table has the evaluations per pixel, march / bound
+# (defined in docs/benchmark.md), and the time of a frame relative to the chapter itself. If there is an experiment
+# 16_frame_NN, its frame is measured too.
 #
 # Environment: CHAPTER, a single chapter to measure; ROUNDS, the number of measurements, and FRAMES, the number of
 # frames in each; WRITE=1, to write the table of all chapters to docs/benchmark.md.
@@ -42,7 +43,7 @@ scene() { # STEM
     echo "$work/means_$1.frag"
 }
 
-# Print the name of a file that draws the same scene without the longer steps of marchRelaxed, using the loop of
+# Print the name of a file that draws the scene of FILE without the longer steps of marchRelaxed, using the loop of
 # marchCone, which computes less in each step.
 plain() { # STEM FILE
     case $2 in "$work"/*) included=${2##*/} ;; *) included=${2#chapters/} ;; esac
@@ -63,7 +64,8 @@ measure() { # NAME PROGRAM OPTION...
     "$@" --benchmark "$frames" --benchmark=json -s 640x360 -t 1 >"$work/$name" || exit 1
 }
 
-# Measure a chapter as it is and then with some of the methods, so that whatever slows down the machine affects both.
+# Measure a chapter as it is and then with some of the methods, so that whatever slows down the machine affects both
+# measurements.
 compared() { # STEM KIND FILE OPTION...
     stem=$1 kind=$2 file=$3
     shift 3
@@ -125,6 +127,6 @@ cell() { # STEM KIND
 } >"$work/table"
 cat "$work/table"
 
-if [ -n "${WRITE-}" ] && [ -z "${CHAPTER-}" ]; then
+if [ "${WRITE:-0}" != 0 ] && [ -z "${CHAPTER-}" ]; then
     write_table steps "$work/table"
 fi

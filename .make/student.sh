@@ -4,8 +4,9 @@
 # tests/course/stored/. Only files that git tracks are copied, with the changes that are not committed yet. If the
 # folder has become a repository, its history stays.
 #
-# Environment: STUDENT_FOLDER, by default build/student; EXERCISES, whose solutions' results are stored, by default all.
-# The pictures are drawn again only if a shader, the programs' sources or a list of exercises has changed.
+# Environment: STUDENT_FOLDER, by default build/student; EXERCISES, the exercises whose solutions' results are stored,
+# by default all. The pictures are drawn again only if a shader, the programs' sources or a list of exercises has
+# changed.
 set -eu
 export LC_ALL=C TZ=UTC
 out=${STUDENT_FOLDER:-build/student}

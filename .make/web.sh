@@ -2,8 +2,8 @@
 # web.sh - copy the files that the module reads into build/web/, beside the module. make calls this script after the
 # module is built.
 #
-# course.json contains the texts that every chapter needs, and the names of the files that only some chapters need.
-# The latter are in course/, and are loaded when a command line needs them.
+# course.json contains the texts of the files that every chapter needs, and the names of the files that only some
+# chapters need. The latter files are in course/, and are loaded when a command line needs them.
 set -eu
 export LC_ALL=C
 out=${WEB_FOLDER:-build/web} source=${SITE_SOURCE:-docs/web} # the variables replace the target and the source folder
@@ -36,4 +36,4 @@ for file in harness.wasm harness.js course.json {live,stage,check,program}.js ed
     printf '%-14s %7d bytes, %6d compressed\n' "$file" "$(wc -c <"$out/$file")" "$packed"
     [[ $file =~ ^(editor|exercises) ]] || total=$((total + packed))
 done
-echo "together $total compressed, without the editor and the list of exercises"
+echo "together $total bytes compressed, without the editor and the list of exercises"

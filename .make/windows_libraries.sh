@@ -1,6 +1,6 @@
 #!/bin/sh
-# windows_libraries.sh - build the libraries and headers of the programs for Windows, on Debian, for the cross build.
-# zlib, libpng, GLFW and, for the tests, cmocka are compiled from Debian's source packages; cglm and stb consist only of
+# windows_libraries.sh - build, on Debian, the libraries that the cross build of the programs for Windows needs. zlib,
+# libpng, GLFW and, for the tests, cmocka are compiled from Debian's source packages; cglm and stb consist only of
 # headers. Everything is installed into build/windows/prefix, with the files for pkg-config and the licences.
 #
 # Environment: CC, the cross compiler with its flags. No special rights are needed, because the lists of the source
@@ -22,11 +22,11 @@ $("$compiler" --version | head -n 1)
 END_OF_STATE
 )
 [ "$(cat "$prefix/made" 2>/dev/null)" != "$made" ] || exit 0
-echo 'windows: compiling zlib, libpng, GLFW and cmocka, once'
+echo 'windows: compiling zlib, libpng, GLFW and cmocka, which later builds reuse'
 rm -rf "$prefix"
 mkdir -p "$sources/lists/partial" "$sources/parts" "$prefix/lib/pkgconfig" "$prefix/include" "$prefix/licences"
 
-# By default, Debian's compiler links the C library of Windows XP.
+# By default, Debian's compiler links the old C library, msvcrt, instead of the one of Windows 10.
 "$compiler" -dumpspecs | sed 's/-lmsvcrt/-lucrt/g' >"$folder/ucrt.specs"
 
 fail() {
@@ -75,8 +75,8 @@ unpack() {
 
 # ---- One library ----
 
-# library NAME FLAGS FILE...: build lib/libNAME.a from these sources, which are compiled in parallel. They need only the
-# lean part of <windows.h>, and no intrinsics, whose headers would be most of the code to compile.
+# library NAME FLAGS FILE...: build lib/libNAME.a from these sources, which are compiled in parallel. The sources need
+# only the lean part of <windows.h>, and no intrinsics, whose headers would be most of the code to compile.
 library() {
     name=$1 flags=$2 compilers=
     shift 2

@@ -19,9 +19,9 @@ find chapters -name '*.frag' ! -path chapters/play.frag -o -name '*.glsl' | whil
     cp "$file" "$out/$file"
 done
 
-# Write the files for check.bat. The first line has the program, the solution, and the positions and options of the
-# rays. Each other line has the options of a picture, those that its rays use, and those that a page would show, which
-# are last because they may be empty.
+# Write a file for each exercise, for check.bat. The first line of a file has the program, the solution, the pixels of
+# the rays, and the --probe options for these pixels. Each other line has the options of a picture, those that its rays
+# use, and those that a page would show, which are last because they may be empty.
 .make/exercises.sh | awk -F '|' -v OFS='|' -v ORS='\r\n' -v out="$out/exercises/" '
     { file = out $1 ".txt"; gsub(/^ +| +$/, "", $3); gsub(/^ +| +$/, "", $5) }
     !(file in seen) {

@@ -21,7 +21,7 @@ BEGIN {
         gsub(/ +/, "[ \n]+", pattern)
         if (after[i] == "") pattern = pattern "\n?"
         if (!match(text, pattern)) {
-            printf "make: %s: replaced.txt names a sentence that is not there: %s\n", name, before[i] > "/dev/stderr"
+            printf "make: %s: replaced.txt names a sentence that this page does not contain: %s\n", name, before[i] > "/dev/stderr"
             failed = 1
             exit
         }

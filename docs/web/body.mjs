@@ -108,7 +108,8 @@ function commandBlock({text, command}, i, pieces) {
 
 const NARROW = 84; // how many characters of a listing fit into the width of the text column
 
-// A listing, below the name of its file if it has one. The name links to the file's page, at the listing's first line.
+// A listing, below the name of the file that it comes from, if there is one. The name links to the file's page, at the
+// listing's first line.
 function listing(language, text, file, symbol, sources) {
     const code = `<pre><code>${coloured(text, language)}</code></pre>`;
     const kind = text.split('\n').some((line) => line.length > NARROW) ? 'listing broad' : 'listing';

@@ -10,7 +10,7 @@ export class Changes {
         const {part} = stage;
         this.stage = stage;
         this.files = {}; // the files that differ from their original texts, {NAME: TEXT}
-        this.brought = new Map(); // maps a file that the course does not have to its original text
+        this.brought = new Map(); // maps the name of a file that the reader has added to its original text
         this.said = part('span');
         this.line = part('p', {className: 'live-changes', hidden: true}, this.said, ' ', stage.button('Undo all', () => this.undo(this.named)));
         this.other = part('p', {className: 'live-other', hidden: true});
@@ -27,7 +27,7 @@ export class Changes {
         addEventListener('storage', (event) => { if (edits.isOurs(event) && this.begun) this.elsewhere(edits.kept()); });
     }
 
-    // Before the first start, load the changes in this page's address and those that the browser has stored.
+    // Before the program first starts, load the changes in this page's address and those that the browser has stored.
     //   at  the element that is started
     // Returns the command line in that address, or null if the address has none for this element's program.
     async begin(at) {
@@ -97,7 +97,7 @@ export class Changes {
         for (const [name, text] of Object.entries(this.files)) this.stage.program.write(name, text);
     }
 
-    // If `original` is true, write the original texts, because the program may not start with the reader's changes;
+    // If `original` is true, write the original texts, because the reader's changes have kept the program from running;
     // otherwise write the changes.
     async lay(original) {
         const {program} = this.stage;

@@ -63,7 +63,7 @@ class Judge {
     }
 
     // Returns the judge's objection ('' if there is none), a description and a picture of the difference, the share of
-    // pixels that differ, and the pixel with the largest difference.
+    // pixels that differ by more than 2 of 255, and the centre of the 8 × 8 block that differs most.
     compare(shown, right, mine) {
         if (right.width !== mine.width || right.height !== mine.height) throw new Error(`one picture has ${right.width} × ${right.height} pixels, the other ${mine.width} × ${mine.height}`);
         const {module} = this.program, size = 3 * right.width * right.height;
@@ -211,6 +211,6 @@ export async function compareIn(box, button, stage, part) {
         if (changed.length > 0) box.append(part('p', {textContent: withChanges(changed)}));
         box.append(part('div', {className: 'live-two'}, ...pictures.map(({name, data}) => shown(part, data, name)), shown(part, difference, GREY)));
     } catch (error) {
-        say(`They cannot be compared: ${error.message}.`);
+        say(`The pictures cannot be compared: ${error.message}.`);
     }
 }

@@ -3,7 +3,8 @@
 
 local pages = dofile('.make/pages.lua')
 
--- The front page of the site replaces the project's README, so the page on how to read the course gets another name.
+-- The front page of the site replaces the project's README. docs/README.md, on how to read the course, becomes
+-- reading.html.
 local function address(file)
     return (file:gsub('^README%.md$', 'reading.md'):gsub('%.md$', '.html'))
 end

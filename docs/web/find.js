@@ -55,8 +55,9 @@
     // The weight of a word, which is greater if fewer sections contain it.
     const rarity = (word) => Math.log(1 + entries.length / (1 + entries.filter((entry) => entry.low.includes(word) || entry.head.includes(word)).length));
 
-    // How well a section fits: the more of the words it contains, in any order, the better. A match counts most in the
-    // title of the page, then in a heading, then in the text, and counts more at the beginning of a word.
+    // How well a section fits: the more of the words it contains, in any order, the better. A match in the title of the
+    // page counts most, but only for the page's first section; a match in a heading counts more than one in the text,
+    // and a match at the beginning of a word more than one inside it.
     //   words  the words and their weights, [{word, rare}]
     function scoreOf(entry, words) {
         let sum = 0, has = 0;

@@ -124,8 +124,8 @@ class LiveChapter extends HTMLElement {
 
 customElements.define('live-chapter', LiveChapter);
 
-// A film replaces its picture two seconds after the page has been loaded, so that it delays nothing else, unless the
-// reader asks for reduced motion or reduced data.
+// Unless the reader asks for reduced motion or reduced data, a film replaces its picture two seconds after the page has
+// been loaded, so that the film delays nothing else.
 addEventListener('load', () => setTimeout(() => {
     if (matchMedia('(prefers-reduced-motion: reduce)').matches || navigator.connection?.saveData) return;
     for (const img of document.querySelectorAll('img[data-film]')) img.src = img.dataset.film;

@@ -4,7 +4,7 @@ import loadHarness from './harness.js';
 
 const ROOT = '/course/';
 const PRESS = 1, RELEASE = 0, REPEAT = 2;
-const FINGER = 30; // the distance, in the page's units, within which a finger grabs a handle
+const FINGER = 30; // the distance, in CSS pixels, within which a finger grabs a handle
 const POLL = 20; // milliseconds between two checks of a driver that is compiling
 const PIXELS = 1280 * 720; // the maximum number of pixels in the drawing buffer; fewer are used if a frame takes too long
 
@@ -227,7 +227,7 @@ export class Program {
     }
 
     // Create everything again after the context was lost. If the shader can no longer be loaded, there is no window
-    // until this function is called with other files.
+    // until the files have been changed and this function has been called again.
     restore() {
         this.call('live_restore');
         this.run();
@@ -248,8 +248,8 @@ export class Program {
         canvas.addEventListener('keydown', (event) => key(event, event.repeat ? REPEAT : PRESS));
         canvas.addEventListener('keyup', (event) => key(event, RELEASE));
         canvas.addEventListener('focus', () => module._live_focus(1));
-        // A finger on a handle drags the handle; elsewhere, it scrolls the page. While a tool is active, a single
-        // finger acts on the picture everywhere.
+        // A finger on a handle drags the handle; elsewhere, it scrolls the page unless the picture has the focus. While
+        // a tool is active, a single finger acts on the picture everywhere.
         canvas.addEventListener('touchstart', (event) => { if (event.touches.length === 1 && this.toHandle(event.touches[0])) event.preventDefault(); }, {passive: false});
         canvas.addEventListener('blur', () => module._live_focus(0));
         // The wheel scrolls the page unless the picture has the focus.
@@ -261,11 +261,12 @@ export class Program {
         this.hearPointer(modifiers);
     }
 
-    // The vector from a finger to the handle that it grabs, in the page's units; null if no handle is near.
+    // The vector from a finger to the handle that it grabs, in CSS pixels, or null if no handle is near. While a tool
+    // is active, the finger grabs no handle and the vector is zero.
     toHandle({clientX, clientY}) {
         const {left, top, width, height} = this.canvas.getBoundingClientRect();
         const {handles = [], tool} = this.state();
-        if (tool) return [0, 0]; // the finger acts on the picture
+        if (tool) return [0, 0];
         const ways = handles.map(({x, y}) => [left + x * width - clientX, top + y * height - clientY]);
         const near = ways.sort((a, b) => Math.hypot(...a) - Math.hypot(...b))[0];
         return near && Math.hypot(...near) <= FINGER ? near : null;

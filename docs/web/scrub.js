@@ -1,6 +1,6 @@
 // scrub.js - makes numbers in sentences adjustable: code such as `shadowOffset=0.25`, which names a parameter, can be
 // dragged sideways or changed with the arrow keys, and a picture on the page follows.
-const WAY = 240; // the drag distance, in the page's units, from a parameter's minimum to its maximum
+const WAY = 240; // the drag distance, in CSS pixels, from a parameter's minimum to its maximum
 
 export class Scrub {
     //   code   the element, code.scrub
@@ -39,7 +39,8 @@ export class Scrub {
         this.code.onpointerup = this.code.onpointercancel = () => { this.code.onpointermove = null; };
     }
 
-    // The picture that follows the number: the running picture if it has the parameter, otherwise the nearest one.
+    // The picture that follows the number: the running picture if it has the parameter, otherwise the nearest one that
+    // is not an interactive figure, or, if there is none, the nearest figure.
     picture() {
         const top = this.code.getBoundingClientRect().top, far = (one) => Math.abs(one.getBoundingClientRect().top - top) + (one.classList.contains('hands') ? 1e6 : 0);
         const on = document.querySelector('.live-window');

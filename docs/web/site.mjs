@@ -254,7 +254,7 @@ function letters(pages) {
     return {text, formula};
 }
 
-// The feature ssty would make the fonts half as large again, and no browser uses that feature by itself.
+// The feature ssty would make the fonts half as large again, and Chromium does not use that feature by itself.
 async function writeFonts({text, formula}) {
     const write = (name, font, letters, features) => subset(font, letters, features, `${out}/fonts/${name}.woff2`);
     await write('formula', 'TeX Gyre Pagella Math', formula, 'kern');

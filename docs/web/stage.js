@@ -141,7 +141,7 @@ export class Stage {
         at.result?.remove();
         at.said?.remove();
         scrollBy({top: asked.getBoundingClientRect().top - top, behavior: 'instant'}); // elements above may have been removed
-        // Let the browser paint the message before the program uses the processor.
+        // Let the browser paint 'Compiling …' (live.css) before the program uses the processor.
         this.compiles(false);
         this.compiles(true);
         this.again = () => this.start(at, line, shown);
@@ -172,7 +172,7 @@ export class Stage {
     }
 
     // The browser has restored the graphics context. If the reader's changes can no longer be loaded, show the picture
-    // without them, as after a start.
+    // without them, as `carry` does.
     async found(fails) {
         const {turn} = this;
         this.note('');
@@ -256,7 +256,8 @@ export class Stage {
         this.call('live_pixel', x, y);
     }
 
-    // The first frame has been drawn, and replaces the still picture. By then the ray has been marched.
+    // The first frame has been drawn, and replaces the still picture. The selected ray has been marched, so one of its
+    // steps can be selected.
     drew() {
         if (this.shown?.step) this.call('live_step', Number(this.shown.step));
         this.at?.classList.add('live-drawn');
@@ -361,8 +362,8 @@ export class Stage {
         const state = this.state = this.program.state();
         if (this.views.childElementCount !== state.views.length)
             this.views.replaceChildren(...state.views.map((name, view) => this.button(name, () => this.call('live_view', view))));
-        // A shader with its own main() has no camera, no views and no recorded rays. An interactive figure needs none
-        // of these, and no clock.
+        // A shader that is not in the course's dialect has no camera, no views and no recorded rays. An interactive
+        // figure needs none of these, and no clock.
         this.views.hidden = this.pad.hidden = this.mover.hidden = this.back.hidden = this.rays.hidden = this.ray.element.hidden = state.views.length === 1 || this.at.hasHands;
         this.viewer.hidden = this.clock.hidden = this.status.hidden = this.at.hasHands;
         this.undo.hidden = !state.tool;

@@ -95,5 +95,5 @@ while IFS=$'\t' read -r student exercise mark remark; do
         print mark "\t" text }' "$scratch/row")
     check "the answer of student $student to exercise $exercise is marked $mark" eval "[ '$mark' = \"\${found%%\$'\t'*}\" ] && grep -q -e '$remark' <<<\"\${found#*\$'\t'}\"" || echo "# $found"
 done <"$expected"
-check 'the marks are counted' grep -q '^30 students: 34 right, 18 wrong, 8 copied$' "$scratch/said" || sed 's/^/# /' "$scratch/said"
+check 'the marks are counted' grep -q '^30 students; answers: 34 right, 18 wrong, 8 copied$' "$scratch/said" || sed 's/^/# /' "$scratch/said"
 plan

@@ -128,7 +128,7 @@ refuses() { # NAME WORDS TEXT
 }
 good='## 00.1 a?\n+ b\n- c // d\n- e // f\n'
 check 'a good question is accepted' eval "printf '$good' >'$scratch/good.txt' && writes '$scratch/good.txt'"
-refuses 'no right answer' '00.1 needs one right' "${good/+ b/- b // c}"
+refuses 'no right answer' '00.1 needs exactly one right' "${good/+ b/- b // c}"
 refuses 'a wrong answer without a reason' 'bad.txt:3: a wrong answer needs a reason' "${good/ \/\/ d/}"
 refuses 'a reason for the right answer' 'bad.txt:2: .* the right answer must have none' "${good/+ b/+ b // c}"
 refuses 'only one wrong answer' '00.1 needs' "${good/- e \/\/ f\\n/}"

@@ -273,7 +273,7 @@ check('the output of a command uses the reader\'s changes, and the page says so'
 await first(page).locator('.live-start').click();
 await page.waitForSelector('live-chapter:first-of-type.live-window');
 await edit('nonsense');
-check('a change that does not compile is reported with its line number', /^They cannot be compared: right\.png does not run: chapters\/03_shadows\.frag:1: error: /.test(await comparedNow()), await compared.textContent());
+check('a change that does not compile is reported with its line number', /^The pictures cannot be compared: right\.png does not run: chapters\/03_shadows\.frag:1: error: /.test(await comparedNow()), await compared.textContent());
 await edit(text);
 await page.locator('.live-result').filter({has: page.locator('.live-verdict')}).getByRole('button', {name: 'Close'}).click();
 check('Close removes a comparison and gives the focus to its button', await compared.count() === 0 && await comparison.evaluate((one) => document.activeElement === one));
