@@ -55,7 +55,7 @@ float march(vec3 origin, vec3 direction)
     return -1.0;
 }
 
-// 3. The normal: in which direction does the distance grow?
+// 3. The normal: in which direction does the distance grow fastest?
 
 vec3 normalAt(vec3 p)
 {

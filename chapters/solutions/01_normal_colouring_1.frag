@@ -6,7 +6,7 @@
 #include "01_normal_colouring.frag"
 #undef sceneDistance
 
-// The signed distance of a torus around the y axis, exact everywhere.
+// The signed distance to a torus around the y axis, exact everywhere.
 //   p         point, scene units
 //   radius    from the centre to the middle of the tube, > 0, scene units
 //   thickness radius of the tube, in (0, radius], scene units

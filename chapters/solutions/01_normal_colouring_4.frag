@@ -9,8 +9,8 @@
 // The normalised gradient from four corners of a cube.
 //   p, h     as for normalAt
 //   formula  normalize(sum of k f(p + h k)), k = (1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1);
-//            the sum is 4 h times the gradient, which has an error of h (H_yz, H_xz, H_xy) + O(h^2),
-//            where H contains the second derivatives
+//            the sum is 4 h times the gradient with an error of h (H_yz, H_xz, H_xy) + O(h^2), where
+//            H contains the second derivatives
 vec3 tetrahedronNormal(vec3 p, float h)
 {
     vec3 gradient = vec3(0.0);

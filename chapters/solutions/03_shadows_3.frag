@@ -1,5 +1,5 @@
-// Solution to exercise 03.3: rays are clipped to the ball around the scene's box instead of the
-// box.
+// Solution to exercise 03.3: rays are clipped to the ball around the scene's box instead of to the
+// box itself.
 //
 // The macro turns the chapter's call to boxInterval into a call to ballInterval.
 #include "main.glsl"

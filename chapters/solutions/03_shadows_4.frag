@@ -1,5 +1,5 @@
 // Solution to exercise 03.4: a lamp that consists of nine points. Each point emits a ninth of the
-// light, and each causes a separate shadow, so the edge of a shadow becomes a series of steps.
+// light and casts a separate shadow, so the edge of a shadow becomes a series of steps.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "03_shadows.frag"

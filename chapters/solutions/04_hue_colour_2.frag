@@ -20,8 +20,9 @@ float smoothSubtraction(float a, float b)
     return -opSmoothUnion(-a, b, blend);
 }
 
-// The chapter uses step(a, -b) as the ball's share of block minus ball. It also uses step for the
-// sharp shares of union and intersection, which do not change.
+// The chapter uses step(a, -b) as the ball's share of block minus ball, where a and b are the
+// distances to block and ball. It also uses step for the sharp shares of union and intersection,
+// which do not change.
 float softStep(float edge, float x)
 {
     return operation == 2 ? smoothUnionShare(-edge, -x, blend) : float(edge <= x);

@@ -1,5 +1,6 @@
 // Solution to exercise 04.4: a lens, the intersection of two equal balls, in the middle of the
-// wheel, with its exact distance or with the bound max(a, b).
+// wheel, with its exact distance or with the bound max(a, b), where a and b are the distances to the
+// balls.
 //
 // This file replaces the chapter's sceneDistance, colourAt and rayColour, because the solid in the
 // middle is different.

@@ -1,8 +1,8 @@
 // Solution to exercise 06.1: the Sierpinski triangle in the plane. Two folds per level give three
 // copies.
 //
-// The experiment draws the triangle. A macro renames the experiment's sceneDistance, which is the
-// distance to a letter.
+// experiments/06_fold.frag draws the triangle. A macro renames that file's sceneDistance, which is
+// the distance to a letter.
 #include "main.glsl"
 #define sceneDistance letterDistance
 #include "experiments/06_fold.frag"

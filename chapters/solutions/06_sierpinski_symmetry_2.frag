@@ -1,5 +1,5 @@
-// Solution to exercise 06.2: 6^m octahedra. Three folds bring a point to the octant where all
-// coordinates are positive, and two more bring it to the side of the corner (1, 0, 0).
+// Solution to exercise 06.2: 6^m octahedra after m levels. At each level, three folds bring a point
+// to the octant where all coordinates are positive, and two more make x the largest coordinate.
 //
 // Macros replace the chapter's calls to the library with calls to the functions here.
 #include "main.glsl"

@@ -1,4 +1,4 @@
-// Solution to exercise 10.1: four rings from one disc. Each onion turns every edge into two.
+// Solution to exercise 10.1: four rings from one disc. Each opOnion turns every edge into two.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "10_distance_in_the_plane.frag"

@@ -1,5 +1,5 @@
-// Solution to exercise 10.4: a lamp at the ray's start. Points that its light does not reach are in
-// shadow.
+// Solution to exercise 10.4: a lamp at the start of the chapter's ray. Points that the lamp's light
+// does not reach are in shadow.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "10_distance_in_the_plane.frag"

@@ -1,5 +1,5 @@
-// Solution to exercise 11.3: a striped cloth. Only the first coordinate counts, so the mean over
-// the rectangle is the mean of one factor.
+// Solution to exercise 11.3: a striped cloth. Only the first coordinate counts, so only one factor
+// has to be averaged over a pixel's footprint.
 //
 // The chapter's call to checkers is replaced by a call to stripeShare.
 #include "main.glsl"

@@ -1,5 +1,5 @@
-// Solution to exercise 12.4: a circle of the same area instead of the ellipse. The result is
-// sharper, and sparkles more.
+// Solution to exercise 12.4: a circular footprint with the same area as the elliptical one. The
+// picture becomes sharper, and sparkles more.
 //
 // The chapter's call to footprintOn is replaced by a call to roundFootprintOn.
 #include "main.glsl"

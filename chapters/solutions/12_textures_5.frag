@@ -1,5 +1,5 @@
-// Solution to exercise 12.5: eight lookups along the ellipse, each as wide as the short axis and an
-// eighth as long as the long axis.
+// Solution to exercise 12.5: eight lookups along the elliptical footprint, each as wide as the short
+// axis and an eighth as long as the long axis.
 //
 // The chapter's calls to textureOnSlide, for plank and cloth, are replaced by calls to
 // textureAlong.

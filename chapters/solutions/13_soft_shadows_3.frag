@@ -1,4 +1,4 @@
-// Solution to exercise 13.3: a square window instead of the disc.
+// Solution to exercise 13.3: the light comes from a square window instead of the sun's disc.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"

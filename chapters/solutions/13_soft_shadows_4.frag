@@ -1,10 +1,11 @@
-// Solution to exercise 13.4: one ray per sample, and each sample has its own cell.
+// Solution to exercise 13.4: one shadow ray per sample. Each sample has a different cell of the grid
+// over the disc.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"
 #undef rayColour
 
-// The result of one of iSamples rays; iSamples is a square number.
+// The result of one of the pixel's iSamples shadow rays; iSamples is a square number.
 float oneReaching(Ray ray, float far)
 {
     int side = int(sqrt(float(iSamples)) + 0.5);

@@ -1,4 +1,4 @@
-// Solution to exercise 15.3: the film's curve on the luminance.
+// Solution to exercise 15.3: the film's curve is applied to the luminance.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "15_the_picture.frag"

@@ -1,6 +1,6 @@
-// Solution to exercise 16.3: over the walk the best factor is known in advance. It is 2 / (1 + s),
-// where s is the sine of the angle at which the ray meets the walk. Left of the divider the factor
-// remains 1.
+// Solution to exercise 16.3: over the flat walk, the best factor is known in advance. It is
+// 2 / (1 + s), where s is the sine of the angle at which the ray meets the walk. To the left of the
+// divider, the factor remains 1.
 #include "main.glsl"
 #include "relaxed.glsl"
 

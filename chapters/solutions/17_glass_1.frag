@@ -1,5 +1,5 @@
-// Solution to exercise 17.1: Schlick's share instead of Fresnel's. Inside the glass, Schlick's
-// formula needs the cosine behind the surface.
+// Solution to exercise 17.1: Schlick's share instead of Fresnel's. For a ray inside the glass,
+// Schlick's formula needs the cosine of the angle at which the refracted ray leaves.
 #include "main.glsl"
 #include "glass.glsl"
 #define partingAt schlickParting

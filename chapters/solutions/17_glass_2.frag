@@ -1,5 +1,5 @@
-// Solution to exercise 17.2: a bubble of air in the ball. The larger of two distances is exact
-// inside.
+// Solution to exercise 17.2: a bubble of air in the ball. Inside the glass, the larger of the two
+// distances is exact.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "17_glass.frag"

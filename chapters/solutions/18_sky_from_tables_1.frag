@@ -1,6 +1,6 @@
-// Solution to exercise 18.1: the table as the article draws it, on the side of the sun. The sine of
-// the sun's height increases to the right, from -0.28 to 1, and the sine of the direction's height
-// increases upwards, from 0 to 1.
+// Solution to exercise 18.1: the table as the article cited in docs/18_sky_from_tables.md draws it,
+// on the side of the sun. The sine of the sun's height increases to the right, from -0.28 to 1, and
+// the sine of the direction's height increases upwards, from 0 to 1.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "18_sky_from_tables.frag"

@@ -1,4 +1,4 @@
-// Solution to exercise 20.1: the high layer over a flat Earth.
+// Solution to exercise 20.1: the high layer of clouds over a flat Earth.
 #include "main.glsl"
 #include "clouds.glsl"
 

@@ -12,8 +12,8 @@ vec3 island(vec2 q)
     return hill(q - ISLAND, vec2(5.0), 4.2) - vec3(3.0, 0.0, 0.0);
 }
 
-// The gap closes no faster than the slope allows; and above the water the island has no point
-// outside the radius.
+// The gap between p and the island closes no faster than the slope allows. Above the water, the
+// island has no point outside the radius.
 float islandDistance(vec3 p, int count)
 {
     vec2 q = inValley(p.xz);

@@ -5,7 +5,7 @@
 #include "noise.glsl"
 #include "stored.glsl"
 
-// 3 in every other cell, and -3 in the others.
+// 3 and -3 in alternate cells.
 //   p  nine times a point of the cube
 vec4 cellPattern(vec3 p)
 {

@@ -30,7 +30,7 @@ struct lecture {
     struct context context;
     struct window *window; // NULL until it is open
     int at;                // the scene that the speaker has reached
-    int shown;             // the scene that is shown; differs from at if that one has failed
+    int shown;             // the scene that is shown; differs from at if scene[at] has failed
     int tried;             // the last scene that compile_ahead has tried to compile
 };
 
@@ -279,7 +279,8 @@ static void forget_far(struct lecture *lecture)
             loader_close(&lecture->scene[i].run.picture[k]);
 }
 
-// Compile the next scene whose shaders or textures differ, unless that has been tried before.
+// Compile the next scene whose shaders or textures differ from those that are shown, unless this
+// has been tried before.
 static void compile_ahead(struct lecture *lecture)
 {
     int next = lecture->at;

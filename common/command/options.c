@@ -168,7 +168,7 @@ static bool complete(struct options *options)
         report("--frames: the last time must be between -1e9 and 1e9 seconds");
     else if (options->shadertoy && options->view != SHADER_PICTURE)
         report("--print-shader=shadertoy: cannot be combined with --view %s: only the picture view "
-               "runs there",
+               "runs on Shadertoy",
                shader_view_name(options->view));
     else
         return check_probes(options) && check_ray(options);

@@ -70,9 +70,9 @@ bool options_parse(struct options *options, int argc, char **argv);
 // Free what options_parse allocated.
 void options_free(struct options *options);
 
-// One option, as --help prints it. A value after a blank is required. A value in brackets is
-// optional; if a blank precedes the bracket, the value is a separate word that does not begin with
-// '-'. An empty default is not printed.
+// One option, as --help prints it. A value after a blank is required, unless it is in brackets. A
+// value in brackets is optional; if a blank precedes the bracket, the value may also be the next
+// word, which must not begin with '-'. An empty default (initial) is not printed.
 struct options_row {
     const char *letter, *name, *value;
     // Set the value; text is NULL if the value is omitted. Returns false after reporting the error.

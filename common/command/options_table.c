@@ -280,7 +280,7 @@ const struct options_row options_rows[] = {
     {"-o,", "output", " FILE.png", set_output, OPTIONS_RUN,
      "write the picture to a file, without a window", ""},
     {"-s,", "size", " WxH", set_size, OPTIONS_RUN, "size of the picture in pixels, 1 to 16384 each",
-     "960x540 in a window, 640x360 to a file"},
+     "960x540 in a window, 640x360 in a file"},
     {"-t,", "time", " SECONDS", set_time, OPTIONS_RUN, "time of the picture", "0"},
     {"-p,", "set", " NAME=VALUE", add_setting, OPTIONS_RUN,
      "set a parameter of the shader; repeatable", ""},

@@ -72,7 +72,7 @@ bool run_find_root(struct run *run)
             if (is_root(run->root))
                 return true;
         }
-    return report("shaders/screen.vert: not found above this program's folder: give --root DIR");
+    return report("shaders/screen.vert: not in this program's folder or above it: give --root DIR");
 }
 
 bool run_find_shader(struct run *run)
@@ -122,7 +122,7 @@ static bool check_strokes(const struct run *run)
     for (int i = 0; i < parameters->samplers.count; i++)
         has |= strcmp(parameters->samplers.item[i].name, run->tool->texture) == 0;
     if (!has || amount == NULL)
-        return report("--stroke: %s has no sampler '%s' and parameter '%s'", run->title,
+        return report("--stroke: %s lacks the sampler '%s' or the parameter '%s'", run->title,
                       run->tool->texture, run->tool->amount);
     for (int i = 0; i < strokes->count; i++)
         if (strokes->item[i].amount < amount->minimum || strokes->item[i].amount > amount->maximum)

@@ -40,8 +40,8 @@ void run_close(struct run *run);
 
 // ---- Files ----
 
-// Find the project's folder: --root, or the nearest folder above the program that contains
-// shaders/screen.vert, so that programs run from any directory. Returns false after reporting the
+// Find the project's folder: --root, or the nearest folder above the program in which there is
+// shaders/screen.vert. Programs therefore run from any directory. Returns false after reporting the
 // error.
 bool run_find_root(struct run *run);
 
@@ -70,14 +70,14 @@ struct window_start run_window_start(struct run *run);
 // error.
 bool run_check_targets(const struct run *run);
 
-// Return the exit status of the program: status, or RUN_NOT_DONE if some output could not be
-// written. The error is reported, unless the reader of a pipe has closed it.
+// Return the exit status of the program: status, or RUN_NOT_DONE if standard output could not be
+// written. The error is reported, unless standard output is a pipe that its reader has closed.
 int run_end(int status);
 
 // ---- Without a window (run_still.c) ----
 
 // Return the inputs for the picture of a command line. No clock is read, so the picture depends
-// only on its options.
+// only on the options.
 struct renderer_inputs run_still_inputs(const struct options *options);
 
 // If --from is given, set the eye from which the ray of --probe starts.
@@ -85,7 +85,8 @@ struct renderer_inputs run_still_inputs(const struct options *options);
 void run_start_ray(const struct options *options, const struct renderer *renderer,
                    struct renderer_inputs *inputs, struct renderer_eye *eye);
 
-// Draw a picture with its overlay or its labels. The caller frees image.
+// Draw a picture, with the overlay if --overlay is given, otherwise with the labels of a
+// comparison. The caller frees image.
 //   probe  the march of the pixel that --probe names, or NULL
 // Returns false after reporting the error.
 bool run_draw(struct run *run, const struct renderer_inputs *inputs, const struct probe *probe,

@@ -47,10 +47,10 @@ GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fr
 // for this source and view. A line of the log may begin as in Mesa, "0:12(3): ", as in NVIDIA's
 // driver, "0(12) : ", or with "ERROR: 0:12: ". A message about a function that is called but never
 // defined gets the file and line of the call. Each line becomes "FILE:LINE: error: message" with
-// the source line below, which is shown only once for consecutive messages and is cut after 160
-// bytes. Repeated lines are dropped, and warnings too if the log has errors; a message that names
-// no line of the source is left unchanged; after 20 messages, the rest are only counted. Returns
-// memory that the caller frees.
+// the source line below, which is shown only once for consecutive messages about it and is cut
+// after 160 bytes. Repeated lines are dropped, and warnings too if the log has errors; a message
+// that names no line of the source is left unchanged; after 20 messages, the rest are only counted.
+// Returns memory that the caller frees.
 char *shader_explain(const struct shader_source *source, enum shader_view view, const char *log);
 
 #endif

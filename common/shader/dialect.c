@@ -77,7 +77,7 @@ static bool refuse_vertex(const struct shader_source *source)
         source->files[0]);
 }
 
-// Refuse a file that is not a fragment shader, in one line that says what it is.
+// Refuse a file of another kind, in one line that names the kind.
 static bool check_kind(const struct shader_source *source)
 {
     const struct glsl *code = &source->code;
@@ -122,10 +122,11 @@ static bool check_sense(const struct shader_source *source)
     }
     t = growth_find(code);
     return t == NULL ||
-           shader_refuse(source, t->line,
-                         "%.40s: expands to more than %.0f million tokens, including all macros "
-                         "and functions in it: more than a graphics driver can compile",
-                         t->text, GROWTH_LIMIT / 1e6);
+           shader_refuse(
+               source, t->line,
+               "%.40s: makes the code expand to more than %.0f million tokens, including "
+               "all macros and functions, which is more than a graphics driver can compile",
+               t->text, GROWTH_LIMIT / 1e6);
 }
 
 static bool refuse_image(const struct shader_source *source, const struct glsl_token *image)
@@ -155,7 +156,7 @@ static bool check_image(const struct shader_source *source)
 
 // ---- The dialect ----
 
-// A course file that --print-shader wrote begins with the prelude. Overwrite these two lines with
+// A course file that --print-shader wrote begins with the prelude. Overwrite its two lines with
 // blanks, so that the file is in the course's dialect again. Returns false for any other file.
 static bool forget_prelude(struct shader_source *source)
 {
@@ -181,8 +182,8 @@ static bool check_version(const struct shader_source *source)
     return true;
 }
 
-// Determine the dialect. A file that defines main is a whole shader if it includes nothing, except
-// for the course's vertex shader.
+// Determine the dialect. A file that defines main and includes nothing is a whole shader, unless it
+// is the course's vertex shader.
 static enum shader_dialect dialect_of(struct shader_source *source)
 {
     const struct glsl *code = &source->code;
@@ -197,7 +198,8 @@ static enum shader_dialect dialect_of(struct shader_source *source)
 }
 
 // Determine the dialect of an expanded text, and translate it. The course's dialect needs no
-// translation, because its library declares the inputs; those that the text mentions are listed.
+// translation, because its library declares the inputs; those that the text mentions are added to
+// the source's inputs.
 static bool take_dialect(struct shader_source *source)
 {
     const struct input *input;
@@ -257,8 +259,8 @@ bool shader_view_from_name(const char *name, enum shader_view *view)
 bool shader_has_view(const struct shader_source *source, enum shader_view view)
 {
     return view == SHADER_PICTURE || source->dialect == DIALECT_COURSE ||
-           report("%s: cannot show the view %s: it has its own main, which does not record its "
-                  "rays: the chapters from 01 on have all views",
+           report("%s: cannot show the view %s: only shaders in the course's dialect record their "
+                  "rays; the chapters from 01 on have all views",
                   source->files[0], shader_view_name(view));
 }
 
@@ -346,8 +348,8 @@ static void warn(struct shader_source *source, const struct declared *at)
     else
         why = memory_text("uniform %s %s is 0: %s", type, at->word,
                           silent                          ? input->text
-                          : strstr(type, "image") != NULL ? "images that a shader writes are not "
-                                                            "supported"
+                          : strstr(type, "image") != NULL ? "images that a shader writes to are "
+                                                            "not supported"
                                                           : "nothing sets it; give it a value "
                                                             "where it is declared");
     shader_refuse(source, at->name->line, "warning: %s", why);

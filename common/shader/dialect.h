@@ -34,8 +34,8 @@ enum shader_view {
 // Returns false after reporting the error with file and line. The errors are: anything that
 // shader_expand or translate refuses; a file of another kind; nothing but comments; an array whose
 // literal size exceeds 65536; more tokens than growth.h allows; a #version above an include of
-// main.glsl; and a mainImage whose first parameter is not an output, or beside which the text
-// mentions gl_FragColor. Free with shader_free.
+// main.glsl; a mainImage whose first parameter is not an output; and gl_FragColor in a file that
+// defines mainImage. Free with shader_free.
 bool shader_read_asked(struct shader_source *source, const char *path, const char *root,
                        const struct shader_request *request);
 
@@ -50,9 +50,8 @@ bool shader_shows_ray(enum shader_view view);
 const char *shader_view_name(enum shader_view view);
 bool shader_view_from_name(const char *name, enum shader_view *view);
 
-// True if the view can be shown. Returns false after reporting the reason: only the course's
-// dialect has views other than the picture, because any other file has its own main, which records
-// no march.
+// True if the view can be shown. Returns false after reporting the reason: only shaders in the
+// course's dialect record their rays, so any other shader has no view except the picture.
 bool shader_has_view(const struct shader_source *source, enum shader_view view);
 
 // The lines that precede the text for the driver: #version and VIEW, or the prelude of translate.
@@ -67,9 +66,9 @@ char *dialect_prelude(const struct shader_source *source, enum shader_view view)
 // Returns false without reporting an error if no such cause is found.
 bool dialect_refuses(const struct shader_source *source, const char *log, bool linking);
 
-// Check a shader that a driver has linked. Warns, in one line each, about uniforms and blocks that
-// are read but never set, and keeps the first warning in the source. Returns false after reporting
-// the error if a whole shader has no output, or gives it no value.
+// Check a shader that a driver has linked. For each uniform or block that is read but never set,
+// print a warning of one line; the first warning is kept in the source. Returns false after
+// reporting the error if a whole shader has no output, or gives it no value.
 bool dialect_accepts(struct shader_source *source);
 
 #endif

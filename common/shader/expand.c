@@ -45,7 +45,7 @@ static bool report_cycle(const struct expansion *e, int file, const char *where)
                   e->source->files[file]);
 }
 
-// Insert the file of an include, unless it has been inserted already.
+// Insert the file that an include names, unless it has been inserted already.
 static bool include(struct expansion *e, struct shader_line from, const char *name)
 {
     static const char *const folders[] = {"/shaders", "/chapters", NULL};
@@ -100,17 +100,18 @@ static bool take_include(struct expansion *e, struct shader_line at, const char 
     if (rest[0] == '<' && rest[length] == '>' && length < PLATFORM_PATH)
         return report(
             "%s:%d: #include %.*s>: a part of a library, such as three.js or lygia, which "
-            "is not available here: remove the line, or write what it defines",
+            "is not available here: remove the line, or copy the code that it includes",
             file, at.line, length, rest);
     return report("%s:%d: malformed include: write #include \"name.glsl\" alone on its line", file,
                   at.line);
 }
 
-// ---- The directives of Shader Toy, an extension of VS Code ----
+// ---- The directives of Shader Toy, an extension for VS Code ----
 
 // Rewrite the rest of #iUniform float x = 0.5 in { 0.0, 1.0 } as an annotated uniform. If no range
 // is given, the range extends to four times the value's magnitude, or to 1 if the value is 0, on
-// either side of 0. Returns memory that the caller frees, or NULL if the directive is malformed.
+// either side of 0; the range of a color3 is always [0, 1]. Returns memory that the caller frees,
+// or NULL if the directive is malformed.
 static char *annotated_uniform(const char *c)
 {
     char type[16], name[64], words[256] = "0 ", range[64] = "";
@@ -123,7 +124,8 @@ static char *annotated_uniform(const char *c)
     size_t used = *c == '=' ? 0 : 2;
     c += used == 0;
     c += strspn(c, BLANKS);
-    // Remove constructors and the suffix f of a float, and turn braces into square brackets.
+    // Remove the names and parentheses of constructors and the suffix f of a float, and turn braces
+    // into square brackets.
     for (; strchr("\n;", *c) == NULL && used + 1 < sizeof words; c++) {
         size_t word = strcspn(c, "( \t\n;");
         bool suffix = *c == 'f' && used > 0 && strchr(".0123456789", words[used - 1]) != NULL;
@@ -238,8 +240,8 @@ static bool take_directive(struct expansion *e, struct shader_line *from, const 
     return true;
 }
 
-// Check the directive in the tokens of a line. A #version makes the first file a whole shader, but
-// only at its top: anywhere else, the driver would refuse the #version with a misleading message.
+// Check the directive in the tokens of a line. A #version is allowed only at the top of the first
+// file: anywhere else, the driver would refuse the #version with a misleading message.
 //   first  only comments come before the directive
 static bool check_directive(struct expansion *e, struct shader_line at,
                             const struct glsl_token *hash, bool first)

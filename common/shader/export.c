@@ -299,8 +299,8 @@ char *export_shadertoy(struct shader_source *source, const struct parameters *pa
     if (source->dialect == DIALECT_COURSE && parameters->samplers.count > 0) {
         const struct pictures pictures = {source, &parameters->samplers};
         text = memory_list(parameters->samplers.count, picture_of, &pictures);
-        report("%s: reads %s: Shadertoy takes no files: leave out =shadertoy to print a text "
-               "that runs here",
+        report("%s: reads %s: Shadertoy accepts no files: leave out =shadertoy to print "
+               "code that runs here",
                source->files[0], text);
         free(text);
         return NULL;

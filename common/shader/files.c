@@ -36,8 +36,9 @@ void files_tell(const struct shader_source *source, const char *path)
         source->request.visit(source->request.to, path);
 }
 
-// The end of a resolved path from the first component that differs from the given name, but only in
-// case; NULL if there is none. Any other difference is allowed, because a link may lead anywhere.
+// Return the end of a resolved path, from the first component that differs from the given name in
+// case; NULL if case is not the only difference, or if the name does not differ. Any other
+// difference is allowed, because a link may lead anywhere.
 static const char *other_case(const char *name, const char *path)
 {
     while (strncmp(name, "./", 2) == 0 || strncmp(name, "../", 3) == 0)

@@ -5,7 +5,7 @@
 #include "platform.h"
 #include "shader/source.h"
 
-// Pass a path that is read or tried to the callback request.see, if there is one.
+// Pass a path that is read or tried to the callback request.visit, if there is one.
 void files_tell(const struct shader_source *source, const char *path);
 
 // The folder of a resolved path.
@@ -17,10 +17,10 @@ void files_folder(const char *path, char folder[PLATFORM_PATH]);
 //   path  the resolved path
 int files_add(struct shader_source *source, char *name, char *path);
 
-// Find a file that another file names, and add it. The file is looked for next to the file that
-// names it, then in folders of the project.
+// Find a file that another file names, and add it to the source's files. The file is looked for
+// next to the file that names it, then in folders of the project.
 //   from     index of the file that names this file
-//   folders  the folders, each beginning with /, then NULL
+//   folders  the folders, each beginning with /; the list ends in NULL
 //   where    the same folders in words, for messages
 //   why      receives the reason on failure, as a phrase
 // Returns the file's index, or -1 without reporting an error.

@@ -108,8 +108,8 @@ static enum glsl_truth truth_of(const struct glsl *code, const struct glsl_token
     return glsl_code(c)->kind != GLSL_END ? GLSL_PERHAPS : no ? negate(truth) : truth;
 }
 
-// Begin the next branch of the last #if. A skipped branch does not change the depth; if several
-// branches may be taken, each begins with the depth of the #if.
+// Begin the next branch of the innermost #if. A skipped branch does not change the depth; if
+// several branches may be taken, each begins with the depth of the #if.
 static void begin_part(struct glsl_reader *r, enum glsl_truth branch, enum glsl_truth others)
 {
     struct glsl_conditional *last = &r->open[r->open_count - 1];

@@ -34,7 +34,7 @@ struct glsl_token {
     int depth;          // number of brackets of any kind around the token
     union {
         int name;    // of a word or a number: its index among the names
-        int partner; // of a bracket among the statements: the index of its partner, or of the end
+        int partner; // of a bracket among the statements: index of what glsl_partner returns
     };
     const char *text; // of a word or a number; otherwise ""
     int item;         // among the statements: the token's index among all tokens
@@ -120,7 +120,8 @@ bool glsl_means(const struct glsl *code, const struct glsl_token *token, const c
 // The first token that is not a comment, starting with the given one.
 const struct glsl_token *glsl_code(const struct glsl_token *token);
 
-// The other bracket of a pair among the statements; the end if there is none.
+// The other bracket of a pair among the statements. A bracket without a partner gets the end if it
+// opens, and itself if it closes.
 const struct glsl_token *glsl_partner(const struct glsl *code, const struct glsl_token *bracket);
 
 // The token after this one among the statements; if this one opens a bracket, the token after its

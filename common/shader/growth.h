@@ -9,13 +9,14 @@
 // allows the driver 4 GB.
 #define GROWTH_LIMIT 4e6
 
-// Estimate the number of tokens after all macros and functions are expanded, and find the word that
-// makes the number exceed GROWTH_LIMIT.
-//   If a name has several definitions, the one that expands to the most tokens counts. All branches
-//   of an #if that may be taken count. The body of a loop counts once. The estimate is too low for
-//   a chain of more than 64 definitions, each used before it is defined.
-// Returns the word of a statement that expands to the largest part, or NULL if the estimate is
-// within the limit.
+// Find the code that grows too much: the body of a function, or code outside functions, that has
+// more than GROWTH_LIMIT tokens after all macros and functions are expanded.
+//   The number is an estimate. If a name has several definitions, the one that expands to the most
+//   tokens counts. All branches of an #if that may be taken count. The body of a loop counts once.
+//   The estimate is too low for a chain of more than 64 definitions, each used before it is
+//   defined.
+// Returns the word in this code that expands to the most tokens, or NULL if no code exceeds the
+// limit. If the word is itself a function that exceeds the limit, the same applies to its body.
 const struct glsl_token *growth_find(const struct glsl *code);
 
 #endif

@@ -77,7 +77,7 @@ static const struct input rows[] = {
     POSITION("vTextureCoord", SHARE), POSITION("isf_FragNormCoord", SHARE),
     VEC2("RENDERSIZE", SIZE),
     FLOAT("TIME", TIME), FLOAT("TIMEDELTA", STEP), INT("FRAMEINDEX", FRAME), VEC4("DATE", DATE),
-    // The report's engine
+    // EnginPasTangible, the engine of the report that the course follows
     POSITION("FragCoord", "harnessPosition"), FLOAT("Time", TIME), VEC3("Ex", RIGHT),
     VEC3("Ey", UP),
     VEC3("Ez", FORWARD), VEC3("CamPos", EYE), FLOAT("fovValue", FOCAL),

@@ -6,17 +6,17 @@
 //   uniform bool  biased;       // true: show 0.5 N + 0.5
 //   uniform vec3  lightColour;  // 1.0, 0.9, 0.5 in [0, 1], linear RGB: colour of the light
 //
-// A comment that begins with a value declares a parameter. It has one or several values, then "in
-// [min, max]" (required for numbers, not allowed for a bool), optionally "step s" or "step *s"
-// (each key press adds s, or multiplies by s), optionally ", unit", and ": meaning". Any other
-// comment declares nothing.
+// A comment that begins with a value declares a parameter. The comment consists of one or several
+// values, then "in [min, max]" (required for numbers, not allowed for a bool), optionally "step s"
+// or "step *s" (each key press adds s, or multiplies by s), optionally ", unit", and ": meaning".
+// Any other comment declares nothing.
 //
 // A comment begins with a value if its first word is a decimal number, true or false, and is
-// followed by a blank, a comma, a colon or the end of the line: "2 times the radius" does and is
-// refused, "2D position" does not. A single value applies to every component of a vector. Without
-// "step", an int changes by 1, and a float by a hundredth of its range. The declaration must be
-// alone on its line. In the course's dialect, the preprocessor is not run: a uniform between #if 0
-// and #endif counts.
+// followed by a blank, a comma, a colon or the end of the line: "2 times the radius" does, and
+// is refused; "2D position" does not. A single value applies to every component of a vector.
+// Without "step", an int changes by 1, and a float by a hundredth of its range. The declaration
+// must be alone on its line. In the course's dialect, the preprocessor is not run: a uniform
+// between #if 0 and #endif counts.
 //
 // A vec2 or a vec3 can be a handle, a point that can be dragged in the picture:
 //
@@ -134,9 +134,9 @@ void parameter_change(struct parameter *parameter, int presses);
 double parameter_fraction(const struct parameter *parameter, int part);
 
 // The inverse of parameter_fraction: set a component from a position, which is clamped to [0, 1].
-// The value is rounded to a power of ten that is at most a thousandth of the range, or to three
-// significant digits if the step multiplies; an int is rounded to a whole number, and a bool to 0
-// or 1.
+// The value is rounded to a multiple of the largest power of ten that is at most a thousandth of
+// the range, or to three significant digits if the step multiplies; an int is rounded to a whole
+// number, and a bool to 0 or 1.
 void parameter_put(struct parameter *parameter, int part, double fraction);
 
 // True for a parameter with three components whose unit is "linear RGB".

@@ -9,7 +9,7 @@
 
 // The three dialects that --shader accepts.
 enum shader_dialect {
-    DIALECT_COURSE,    // the course's own dialect: no #version, three functions and includes
+    DIALECT_COURSE,    // defines pixelRay, sceneDistance and rayColour for main.glsl; no #version
     DIALECT_SHADERTOY, // defines mainImage and no main
     DIALECT_WHOLE      // has its own main, and usually a #version
 };
@@ -46,7 +46,7 @@ struct shader_source {
     char *prelude, *body;        // for the driver; NULL in the course's dialect
     struct shader_input *inputs; // the inputs that the text reads
     int input_count;
-    char *unset;     // about the first uniform or block that nothing sets; NULL if there is none
+    char *unset;     // the first warning that nothing sets a uniform or a block; NULL if none
     char was[4][24]; // what each channel contains in the author's tool, in Shadertoy's words
     int channel[4];  // indices of the files that the text names for its channels; 0 for no file
     char **files;    // the names to print, with '?' for control characters; files[0] is the shader
@@ -63,7 +63,7 @@ struct shader_source {
 //            root/shaders, then in root/chapters, but never outside root and path's own folder;
 //            each file is included once, and the line of an include stays as a comment
 //   request  the options; may be NULL
-// Two directives of Shader Toy, an extension of VS Code, are understood: #iUniform becomes an
+// Two directives of Shader Toy, an extension for VS Code, are understood: #iUniform becomes an
 // annotated uniform, and #iChannel0 names a picture next to its file, or tells what the channel
 // contains in the author's tool.
 // Returns false after reporting the error in one line with file and line. Errors are: a file that
@@ -89,8 +89,8 @@ int shader_take_texture(struct shader_source *source, const char *path, char why
 // Free a source. A source of zeros is allowed.
 void shader_free(struct shader_source *source);
 
-// Report an error in a line of the expanded text, from 0, with the author's file and line. Always
-// returns false.
+// Report an error with the author's file and line. Always returns false.
+//   line  the line of the expanded text, counted from 0
 bool shader_refuse(const struct shader_source *source, int line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

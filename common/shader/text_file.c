@@ -19,7 +19,7 @@ FILE *text_file_open(const char *path, char why[TEXT_FILE_WHY])
     return file;
 }
 
-// Drop the byte-order mark, make every line end '\n', and terminate the last line.
+// Drop the byte-order mark, turn every line end into '\n', and terminate the last line.
 static void tidy(char *text)
 {
     const char *from = strncmp(text, "\xEF\xBB\xBF", 3) == 0 ? text + 3 : text;

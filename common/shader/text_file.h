@@ -12,8 +12,8 @@
 // Returns the file, or NULL without reporting an error.
 FILE *text_file_open(const char *path, char why[TEXT_FILE_WHY]);
 
-// Read a text file. Drops a byte-order mark, makes every line end '\n', adds a line end if the last
-// line has none, and terminates the text with '\0'.
+// Read a text file. Drop a byte-order mark, turn every line end into '\n', add a line end if the
+// last line has none, and terminate the text with '\0'.
 //   why  receives the reason on failure, as a phrase: the file is missing or unreadable, is not a
 //        regular file, is empty, contains a zero byte or exceeds TEXT_FILE_LIMIT
 // Returns memory that the caller frees, or NULL without reporting an error.

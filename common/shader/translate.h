@@ -6,8 +6,8 @@
 // becomes a variable; location and interpolation qualifiers are removed. gl_FragColor, texture2D,
 // varying and other words of old versions get their current names. Precisions become highp, because
 // WebGL links an input only if its precision is that of the vertex shader. gl_FragCoord becomes the
-// position in the whole picture, because the renderer draws parts and samples. Lines keep their
-// numbers.
+// position in the whole picture, because the renderer draws a picture in parts and shifts its
+// samples. Lines keep their numbers.
 #ifndef SHADER_TRANSLATE_H
 #define SHADER_TRANSLATE_H
 
@@ -17,8 +17,8 @@
 enum translate_target { TRANSLATE_DRIVER, TRANSLATE_SHADERTOY };
 
 // Translate a source and gather its inputs.
-//   prelude  receives the lines before the text; for Shadertoy, the inputs that it lacks, or NULL
-//            if the file's own mainImage can be called
+//   prelude  receives the lines before the text; for Shadertoy, declarations of the inputs that
+//            Shadertoy lacks, or NULL if it can call the file's own mainImage
 //   body     receives the text
 // The caller frees prelude and body. Returns false after reporting the error with file and line.
 // Errors are: an unknown input; an input or a uniform of a type that cannot be set; a texture that

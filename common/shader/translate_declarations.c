@@ -74,9 +74,10 @@ static bool take_image(struct translation *t, struct declared *at)
 {
     if (!t->web)
         return true;
-    return is_used(at) ? shader_refuse(t->source, at->name->line,
-                                       "%s: WebGL has no images that a shader writes", at->word)
-                       : leave_out(t, at);
+    return is_used(at)
+               ? shader_refuse(t->source, at->name->line,
+                               "%s: WebGL has no images that a shader can write to", at->word)
+               : leave_out(t, at);
 }
 
 // Translate the declaration of an input whose value is the same for all pixels.
@@ -190,7 +191,7 @@ static bool take_block(struct translation *t, const struct declared *at)
 static bool open_block(struct translation *t, const struct declared *at)
 {
     const struct glsl_token *end = glsl_partner(t->code, at->end), *last = at->type - 1;
-    if (end[1].kind == GLSL_WORD) { // the block has a name, so it can become a structure
+    if (end[1].kind == GLSL_WORD) { // with an instance name, the block can become a structure
         edits_add(&t->edits, at->begin->begin, last->begin + last->length - at->begin->begin,
                   "struct");
         return true;
@@ -235,7 +236,7 @@ static bool check_macros(const struct translation *t)
     const struct glsl_token *hidden = out != NULL ? out : uniform;
     return hidden == NULL ||
            shader_refuse(t->source, hidden->line,
-                         "%s in a macro: Shadertoy takes the text only if each declaration is "
+                         "%s in a macro: Shadertoy accepts the text only if each declaration is "
                          "written out",
                          hidden->text);
 }

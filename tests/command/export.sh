@@ -77,14 +77,14 @@ for file in chapters/experiments/*.frag chapters/solutions/*.frag; do
     passes "${file#chapters/}" "$BUILD/01_normal_colouring" -f "$file"
 done
 
-# These whole files have spellings that the chapters do not use.
+# These files with their own main have spellings that the chapters do not use.
 printf '%s\n' '#version 330 core // comments with main, in and out' 'smooth in vec2 FragCoord; in highp float Time;' \
     'in vec3 Ex, Ey, Ez, CamPos; in float fovValue, FacteurLargeur, OrthoView, CustomToggle, CustomInt;' \
     'layout(location = 0) out mediump vec4 toy;' 'void grow(in float a, inout float b, out float c) { b += a; c = b; }' \
     'void mainImage(out vec4 a, in vec2 b) { a = b.xyxy; }' \
     'void main(void) { vec4 c; float a = fovValue, b; grow(a, a, b); c = vec4(a + OrthoView + CustomToggle + CustomInt, FragCoord, b);' \
     'toy = vec4(c.xyz * 0.3 + 0.1 * Ex + 0.2 * Ey - 0.1 * Ez + CamPos * 0.01 + Time * 0.01 + FacteurLargeur * 0.1, 0.0); }' >"$scratch/whole.frag"
-exported 'every input of a whole file' "$BUILD/01_normal_colouring" -f "$scratch/whole.frag"
+exported 'every input of a file with its own main' "$BUILD/01_normal_colouring" -f "$scratch/whole.frag"
 printf '%s\n' '# version 330' 'precision mediump float;' 'layout(location = 1) in vec2 FragCoord; flat in int CustomInt, CustomToggle;' \
     'uniform float iTime; uniform float radius = 0.5; uniform sampler2D none;' 'layout(location = 1) out vec4 other; layout(location = 0) out vec4 shown;' \
     'void main() { shown = vec4(FragCoord * 0.37, radius + iTime * 0.1 + float(CustomInt + CustomToggle), 1.0); other = vec4(1.0); }' >"$scratch/placed.frag"
@@ -101,7 +101,7 @@ printf '#include "%s"\nuniform sampler2D a; // "granite.png" sRGB repeat: stone\
     01_normal_colouring.frag >"$scratch/stone.frag"
 reads_both() {
     ! prints "$BUILD/01_normal_colouring" -f "$scratch/stone.frag" && refused_textures "$BUILD/01_normal_colouring" -f "$scratch/stone.frag" &&
-        grep -q 'stone.frag: reads shaders/textures/granite.png, shaders/textures/noise.png: Shadertoy takes no files' "$scratch/err"
+        grep -q 'stone.frag: reads shaders/textures/granite.png, shaders/textures/noise.png: Shadertoy accepts no files' "$scratch/err"
 }
 check 'the export of a shader that reads textures is refused, and the textures are named' reads_both
 printf '%s\n' '#version 330 core' 'uniform sampler2D iChannel0; uniform vec3 iChannelResolution[4];' 'in vec2 FragCoord; out vec4 c;' \
@@ -112,8 +112,8 @@ same_channel() {
         "$BUILD/01_normal_colouring" -f "$scratch/toy.frag" "${channel[@]}" "${small[@]}" -o "$scratch/toy.png" &&
         "$BUILD/tests/compare" "$scratch/own.png" "$scratch/toy.png" >/dev/null
 }
-passes 'a whole file with a channel' "$BUILD/01_normal_colouring" -f "$scratch/channel.frag" "${channel[@]}" &&
-    check 'the export of a whole file with a channel looks the same' same_channel
+passes 'a file with its own main and a channel' "$BUILD/01_normal_colouring" -f "$scratch/channel.frag" "${channel[@]}" &&
+    check 'the export of a file with its own main and a channel looks the same' same_channel
 named() {
     local name=$scratch/$'two\nlines.frag'
     cp chapters/01_normal_colouring.frag "$name"

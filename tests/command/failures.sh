@@ -51,7 +51,7 @@ complaint() { # STATUS PATTERN LINES
     [ "$3" = many ] || [ "$said" = 1 ] || echo "$said lines on standard error;"
     [ "$said" -ge 1 ] || echo 'nothing on standard error;'
     grep -q -i -e "$2" "$scratch/stderr" || echo "no '$2' in the message;"
-    if grep -q 'Sanitizer\|runtime error' "$scratch/stderr"; then echo 'a message of a sanitizer;'; fi
+    if grep -q 'Sanitizer\|runtime error' "$scratch/stderr"; then echo 'a sanitizer printed a message;'; fi
     [ -s "$scratch/stdout" ] && echo 'text on standard output;'
     [ "$(listing)" = "$expected_listing" ] || echo "the folder contains $(listing);"
 }
@@ -105,14 +105,14 @@ refuse 'an unknown parameter without a display' 2 'lampHeigth' "$chapter" -p lam
 for action in --list --print-shader=shadertoy; do
     refuse "an unknown parameter with $action" 2 'lampHeigth' "$chapter" $action -p lampHeigth=2
 done
-refuse 'a parameter that is set for a whole file' 2 'sun' "$root/$BUILD/00_first_scene" "${to[@]}" -p sun=1
+refuse 'a parameter that is set for a shader without parameters' 2 'sun' "$root/$BUILD/00_first_scene" "${to[@]}" -p sun=1
 
 clay=$root/$BUILD/23_stored_distances
 refuse 'a stroke without points' 2 "--stroke '0.09': must be AMOUNT,X,Y,Z" "$clay" "${to[@]}" --stroke 0.09
 refuse 'a stroke with an incomplete point' 2 "--stroke '0.09,1,2': must be AMOUNT,X,Y,Z" "$clay" "${to[@]}" --stroke 0.09,1,2
 refuse 'a stroke that is too thick' 2 '--stroke 0.5,...: the amount must be between -0.2 and 0.2' "$clay" "${to[@]}" --stroke 0.5,1,2,3
 refuse 'a stroke in a chapter without a tool' 2 '--stroke: 03_shadows has no tool; chapter 23 has one' "$chapter" "${to[@]}" --stroke 0.1,1,2,3
-refuse 'a stroke on another shader' 2 "--stroke: .* has no sampler 'grid'" "$clay" "${to[@]}" --stroke 0.1,1,2,3 -f "$root/chapters/figures/23_sign.frag"
+refuse 'a stroke on another shader' 2 "--stroke: .* lacks the sampler 'grid'" "$clay" "${to[@]}" --stroke 0.1,1,2,3 -f "$root/chapters/figures/23_sign.frag"
 refuse 'a stroke on a grid of another size' 1 'a stroke needs a volume of 64x64x64 texels' \
     "$clay" "${to[@]}" --stroke 0.1,1,2,3 --texture grid="$root/shaders/textures/clouds_fair.png"
 
@@ -150,7 +150,7 @@ if [ "$BUILD" = build ]; then # a sanitizer needs more memory and prints other m
     refuse 'a lack of memory for a texture' 1 'stone.frag:2: sampler stone: .*large.png: .*not enough memory' \
         little "${to[@]}" --texture stone="$scratch/large.png"
 fi
-refuse 'a view that a whole file lacks' 1 '00_first_scene.frag' "$chapter" "${to[@]}" -v depth -f "$whole"
+refuse 'a view that only shaders in another dialect have' 1 '00_first_scene.frag' "$chapter" "${to[@]}" -v depth -f "$whole"
 printf '#include "part.glsl"\n#include "main.glsl"\n' >"$shaders/i.frag"
 printf '// a comment\nfloat halved(float x)\n{\n    return 0.5 * y;\n}\n' >"$shaders/part.glsl"
 refuse_at_length 'an undeclared name in an included file' 1 'part.glsl:4.*y' "$chapter" "${to[@]}" -f "$shaders/i.frag"
@@ -308,7 +308,7 @@ closed='standard output: is closed'
 windows && closed='standard output: cannot be written' # Windows does not distinguish a closed output from a full disk
 refuse 'a closed standard output of --list' 1 "$closed" to_closed --list
 # If the reader of a pipe has exited, as `head` does, the program prints no message, and its status is 1. SIGPIPE, which
-# would end the program, is ignored here, because Windows does not have this signal.
+# would end the program, is ignored here, so that the program behaves as on Windows, which has no such signal.
 mkfifo "$scratch/left"
 # shellcheck disable=SC2094 # both ends are opened, so that neither waits for the other
 to_left() (trap '' PIPE && exec 5<>"$scratch/left" 6>"$scratch/left" 5>&- && exec "$chapter" "$@" >&6)

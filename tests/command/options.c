@@ -72,7 +72,7 @@ TEST(nothing_given_means_the_defaults)
     ACCEPTED("--benchmark 2", !o.window);
 }
 
-TEST(every_option_has_its_spellings)
+TEST(options_have_long_and_short_spellings)
 {
     static const char *const lines[] = {
         "-o a.png -s 320x200 -t 1.5 -p a=1 -p b=2,3 -c 1,-2.5,3e0,270,-89 -a 4 -v steps "
@@ -109,7 +109,7 @@ TEST(every_option_has_its_spellings)
     ACCEPTED("-o A.PNG", same(o.output, "A.PNG"));
 }
 
-TEST(actions_have_their_order)
+TEST(help_has_priority_and_otherwise_the_last_action_counts)
 {
     static const struct {
         const char *line;
@@ -130,14 +130,14 @@ TEST(actions_have_their_order)
     }
 }
 
-TEST(a_scale_is_optional)
+TEST(the_scale_of_the_overlay_is_optional)
 {
     ACCEPTED("--overlay", o.has_overlay && o.overlay == 0.0);
     ACCEPTED("--overlay=0.5", o.has_overlay && o.overlay == 0.5);
     ACCEPTED("--overlay=8", o.has_overlay && o.overlay == 8.0);
 }
 
-TEST(frames_have_a_rate)
+TEST(a_film_has_frames_and_a_rate)
 {
     ACCEPTED("--frames 100000 --fps 0.5 -o a%05d.png",
              o.frames == 100000 && o.fps == 0.5 && o.width == 640);
@@ -149,7 +149,7 @@ TEST(frames_have_a_rate)
 }
 
 // The march of one ray can be shown up to a step, step by step in a film, or from another camera.
-TEST(a_ray_has_steps)
+TEST(a_march_can_be_shown_step_by_step)
 {
     ACCEPTED("-v slice --step 3 -o a.png", o.step == 3 && !o.walk);
     ACCEPTED("-v slice --step 1", o.step == 1 && o.window);
@@ -178,7 +178,7 @@ TEST(a_comparison_has_a_file_or_values)
     ACCEPTED("-p a=1 -p b=1", !o.compares && o.shared_settings == 2);
 }
 
-TEST(strokes_are_numbers)
+TEST(a_stroke_is_an_amount_and_points)
 {
     struct options o = parsed("--stroke 0.09,-0.5,0,1e-1 --stroke=-.1,1,2,3,4,5,6.00004");
     const struct stroke *one = &o.strokes.item[0], *two = &o.strokes.item[1];
@@ -309,7 +309,7 @@ static const char *const mistakes[][2] = {
     // Two options that exclude each other.
     {"--benchmark 3 -o a.png", "cannot be combined with --output"},
     {"--benchmark 3 --probe 1,1", "cannot be combined with --probe"},
-    {"--print-shader=shadertoy -v steps", "only the picture view runs there"},
+    {"--print-shader=shadertoy -v steps", "only the picture view runs on Shadertoy"},
     {"--compare a.frag --benchmark 3", "cannot be combined with --benchmark"},
     {"--compare a.frag --print-shader", "cannot be combined with --print-shader"},
     // Comparisons that are incomplete or malformed.
@@ -347,7 +347,7 @@ static const char *const mistakes[][2] = {
     {"-- -o", "unexpected argument '-o'"},
 };
 
-TEST(mistakes_are_named)
+TEST(each_mistake_is_reported_in_one_line)
 {
     for (size_t i = 0; i < sizeof mistakes / sizeof *mistakes; i++)
         assert_refused(mistakes[i][0], mistakes[i][1]);
@@ -355,7 +355,7 @@ TEST(mistakes_are_named)
 
 // A comma is not taken for a decimal comma where an integer or a list is expected, or where the
 // rest is not a number.
-TEST(no_number_is_guessed)
+TEST(a_decimal_comma_is_not_guessed)
 {
     static const char *const lines[] = {"-a 1,5", "-c 0,5", "-t 1,5,2", "-t 1,x"};
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
@@ -366,7 +366,7 @@ TEST(no_number_is_guessed)
     }
 }
 
-TEST(the_help_has_every_option)
+TEST(the_help_names_the_options)
 {
     static const char *const words[] = {"Usage: ./prog ",      "A title",
                                         "What it shows.",      "--output FILE.png",

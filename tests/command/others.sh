@@ -1,7 +1,7 @@
 #!/bin/bash
-# others.sh - tests shaders that were written for other programs, the report's engine and Shadertoy: their inputs, their
-# textures, films of them, and malformed text. It also tests make play, make bake, make run and printed shaders.
-# tests/command/dialects.sh draws a shader of each dialect.
+# others.sh - tests shaders that were written for other programs, Shadertoy and EnginPasTangible, the engine of the
+# report that the course follows: their inputs, their textures, films of them, and malformed text. It also tests make
+# play, make bake, make run and printed shaders. tests/command/dialects.sh draws a shader of each dialect.
 #
 # A shader that checks its inputs is white if the inputs have the right values, and black otherwise.
 set -u
@@ -75,10 +75,10 @@ scene="$head
 }
 "
 printf '%s' "$scene" >"$scratch/scene.frag" && draw scene
-check "Windows' line endings change nothing" as_written "${scene//$'\n'/$'\r\n'}"
-check 'a byte-order mark changes nothing' as_written $'\357\273\277'"$scene"
-check 'tabs change nothing' as_written "${scene//    /$'\t'}"
-check 'comments in Latin-1 and UTF-8 change nothing' as_written $'// caf\xe9, \xc3\xa9t\xc3\xa9, \xe2\x88\x9e : c\'est une "scene"\n'"$scene"
+check 'Windows line endings do not change the picture' as_written "${scene//$'\n'/$'\r\n'}"
+check 'a byte-order mark does not change the picture' as_written $'\357\273\277'"$scene"
+check 'tabs do not change the picture' as_written "${scene//    /$'\t'}"
+check 'comments in Latin-1 and UTF-8 do not change the picture' as_written $'// caf\xe9, \xc3\xa9t\xc3\xa9, \xe2\x88\x9e : c\'est une "scene"\n'"$scene"
 
 # A discarded pixel is black, whatever the previous picture was. All pixels of the second of two frames are discarded.
 discards() {
@@ -109,7 +109,7 @@ reads='texture(iChannel0, vec2(0.2, 0.75)).rgb == vec3(1) && texture(iChannel0, 
     texture(iChannel3, vec2(0.0)).r < 2.0'
 channels=(--channel "0=$scratch/rows.png" --channel "3=shaders/textures/noise.png")
 is_white channel "the channels of Shadertoy's dialect have the right values" "${channels[@]}" <<<"$head { c = vec4($reads); }"
-is_white channel_whole 'the channels of a whole file have the right values' "${channels[@]}" <<GLSL
+is_white channel_whole 'the channels of a file with its own main have the right values' "${channels[@]}" <<GLSL
 #version 330 core
 uniform sampler2D iChannel0, iChannel3; uniform vec3 iChannelResolution[4];
 out vec4 c;
@@ -118,7 +118,7 @@ GLSL
 
 # ---- Huge and malformed text ----
 
-# The time to read a text must be proportional to its length. If it is not, the suite hangs, and tests/run ends it.
+# The time to read a shader must be proportional to its length. If it is not, the suite hangs, and tests/run ends it.
 crowd() { # FORMAT: true if a shader after 30,000 lines of this format is white; %d is the line's number
     local i
     { for i in {1..30000}; do printf '%s\n' "${1//%d/$i}"; done; cat "$scratch/white.frag"; } >"$scratch/crowd.frag"
@@ -132,8 +132,8 @@ malformed() { # DIALECT BEGINNING
     refused "$name" 'never closed: write \*/ at its end$' "$1: a comment that is not closed is refused" < <(printf '%s\n/*' "$2"; cat "$scratch/white.frag")
     refused "$name" 'larger than 1 MiB: is it a shader\?$' "$1: a file of 10 MB is refused" < <(printf '%s\n' "$2"; head -c 10000000 /dev/zero | tr '\0' ' ')
     refused "$name" 'an array of 2000000000 elements: ' "$1: a huge array is refused" < <(printf '%s\nfloat big[ 2000000000 ];\n' "$2")
-    refused "$name" '\.\.\.$' "$1: of 100000 parentheses, only the beginning is reported" < <(printf '%s\nfloat deep = %s1.0%s;\n' "$2" "$deep" "$close")
-    refused "$name" 'and [0-9]* more$' "$1: of 99 errors, only the first are reported" < <(printf '%s\n' "$2"; for i in {1..99}; do echo "float e$i = none$i;"; done)
+    refused "$name" '\.\.\.$' "$1: of a line with 100000 parentheses, only the beginning is shown" < <(printf '%s\nfloat deep = %s1.0%s;\n' "$2" "$deep" "$close")
+    refused "$name" 'and [0-9]* more$' "$1: of 99 errors, only the first are shown" < <(printf '%s\n' "$2"; for i in {1..99}; do echo "float e$i = none$i;"; done)
     refused "$name" 'does not|never|error' "$1: binary data is refused" < <(printf '%s\n' "$2"; head -c 3000 "$program" | tr -d '\0')
 }
 deep=$(printf '%100000s' '' | tr ' ' '(') close=$(tr '(' ')' <<<"$deep")
@@ -148,8 +148,8 @@ endures() {
 check 'a sum of 40000 terms is drawn, or the crash of the driver is reported' endures
 
 # A shader hides the size of its array, and the driver then requests all the memory at once. The request exceeds the
-# limit for a driver or, if that is smaller, the limit for the process. A sanitizer prints its own message when it ends
-# a program that gets no memory.
+# limit for a driver, or the limit for the process if that is smaller. A sanitizer prints its own message when it ends a
+# program that gets no memory.
 bomb() { draw bomb; [ $? = 1 ] && [[ $said =~ bomb.frag:\ the\ graphics\ driver\ crashed\ on\ it,\ or\ needs\ more ]] && [ "$(grep -c '' <<<"$said")" = 1 ]; }
 if [ "$BUILD" = build ]; then
     printf '%s\n' 'const int N = 300000000;' 'float a[N * 4];' "$head { c = vec4(a[int(p.x)]); }" >"$scratch/bomb.frag"
@@ -157,7 +157,7 @@ if [ "$BUILD" = build ]; then
     limited() { (ulimit -v 1000000; bomb); }
     check 'constants that hide a huge array are reported under the memory limit of the process' limited
 fi
-refused bomb 'bomb.frag:42: A40: expands to more than 4 million' 'macros that double 40 times are refused' \
+refused bomb 'bomb.frag:42: A40: makes the code expand to more than 4 million' 'macros that double 40 times are refused' \
     < <(echo '#define A0 p.x'; for i in {1..40}; do echo "#define A$i A$((i - 1)) + A$((i - 1))"; done; echo "$head { c = vec4(A40); }")
 
 # ---- make play ----

@@ -21,7 +21,7 @@ row() {
     "$program" "${small[@]}" -t 1 --frames 3 --fps 4 -o "$out/f-%03d.png" >"$scratch/said" 2>&1 &&
         [ "$(names)" = 'f-000.png f-001.png f-002.png ' ] && [ ! -s "$scratch/said" ]
 }
-check 'a film has three pictures, and prints no message without a terminal' row
+check '--frames 3 writes three pictures, and prints nothing if there is no terminal' row
 each() {
     local number time
     for number in 0 1 2; do
@@ -120,7 +120,7 @@ refused() { # NAME STATUS PATTERN OPTION...
 }
 # tests/unit/numbers.c tests the names; tests/command/options.c tests the numbers and the valid combinations.
 refused 'a name without %d is refused' 2 'must contain one %d' --frames 2 -o "$out/frame.png"
-refused 'a time that becomes too large is refused' 2 'the last time' --frames 100000 --fps 0.001 -t 1e9 -o "$out/%d.png"
+refused 'a film whose last time is too large is refused' 2 'the last time' --frames 100000 --fps 0.001 -t 1e9 -o "$out/%d.png"
 refused 'a missing folder is reported' 1 'nowhere' --frames 2 -o "$out/nowhere/%d.png"
 taken() {
     clear_out

@@ -285,13 +285,14 @@ IN_PROJECT(test_texts_that_expand_too_much_are_refused)
     shader_free(&source);
     snprintf(text, sizeof text, use, "A28");
     assert_refused(doubled(macro, 28, true, text),
-                   "main.frag:30: A28: expands to more than 4 mill");
-    assert_refused(doubled(macro, 28, false, text), "main.frag:30: A28: expands to");
-    assert_refused(doubled(macro, 28, true, "float a = A28;\n"), "main.frag:30: A28: expands to");
+                   "main.frag:30: A28: makes the code expand to more than 4 mill");
+    assert_refused(doubled(macro, 28, false, text), "main.frag:30: A28: makes the code expand");
+    assert_refused(doubled(macro, 28, true, "float a = A28;\n"),
+                   "main.frag:30: A28: makes the code expand");
     snprintf(text, sizeof text, use, "D28(1.0)");
-    assert_refused(doubled(call, 28, true, text), "main.frag:30: D28: expands to");
+    assert_refused(doubled(call, 28, true, text), "main.frag:30: D28: makes the code expand");
     snprintf(text, sizeof text, CALLS "%s", doubled(function, 28, true, "out vec4 o;\n"));
-    assert_refused(text, "main.frag:21: f18: expands to");
+    assert_refused(text, "main.frag:21: f18: makes the code expand");
     // A macro that repeats its argument doubles the text at every level of nesting. A macro's name
     // is not expanded again inside its own expansion.
     char nested[512] = "1.0";
@@ -301,10 +302,10 @@ IN_PROJECT(test_texts_that_expand_too_much_are_refused)
         snprintf(nested, sizeof nested, "D(%.500s)", before);
     }
     snprintf(text, sizeof text, "#define D(x) (x) + (x)\nfloat a = %s;\n", nested);
-    assert_refused(text, "main.frag:3: D: expands to");
+    assert_refused(text, "main.frag:3: D: makes the code expand");
     snprintf(text, sizeof text,
              "#define D(x) (x) + (x)\nout vec4 o; void main() { o = vec4(%s); }\n", nested);
-    assert_refused(text, "main.frag:3: D: expands to");
+    assert_refused(text, "main.frag:3: D: makes the code expand");
     source =
         read_well("#define f(x) f(x + 1.0) + g\n#define g f(2.0)\n"
                   "float h(float x) { return x; }\nout vec4 o; void main() { o = vec4(h(g)); }\n");
