@@ -233,8 +233,8 @@ bool shader_read(struct shader_source *source, const char *path, const char *roo
 
 // Only the first SHADER_VIEW_COUNT of these can be chosen.
 static const char *const view_names[SHADER_PROGRAM_COUNT] = {
-    "picture", "normals", "depth",       "steps",  "slice",      "plot",
-    "probe",   "count",   "coarse pass", "places", "camera stop"};
+    "picture", "normals", "depth",       "steps",      "slice",      "plot",
+    "probe",   "count",   "coarse pass", "projection", "camera stop"};
 
 bool shader_shows_ray(enum shader_view view)
 {
