@@ -10,15 +10,15 @@ const float QUARTER_TURN = 1.5707963;
 
 // ---- A layer over a round Earth ----
 
-// The distance along a ray until it leaves a sphere around the Earth's centre.
+// The distance along a ray to the point where it leaves a sphere around the Earth's centre.
 //   height    of the eye above the ground, km, in [0, altitude)
 //   climb     the direction's y, in [-1, 1]
 //   altitude  of the sphere above the ground, km, > height
 //   returns   km: altitude - height straight up, about sqrt(2 EARTH_RADIUS altitude) horizontally from the ground
 //   formula   c / (b + s) where b >= 0, otherwise s - b; b = (R + height) climb, c = (altitude - height) (2 R +
-//             altitude + height), s = sqrt(b^2 + c): the positive root of t^2 + 2 b t - c. No two nearly equal numbers
-//             are subtracted, so the error is a few units in the last place. The formula is exact, but it does not
-//             check whether the ground hides the point
+//             altitude + height), s = sqrt(b^2 + c): the positive root of t^2 + 2 b t - c. No two nearly equal rounded
+//             results are subtracted, so the error is a few units in the last place. The formula is exact, but it does
+//             not check whether the ground hides the point
 float layerHit(float height, float climb, float altitude)
 {
     float b = (EARTH_RADIUS + height) * climb;
@@ -53,8 +53,8 @@ vec2 panoramaUV(vec3 direction)
 
 // The size of a pixel in a panorama, in u and in v, from the slopes of panoramaUV without its jump.
 //   width  angle of a pixel, radians
-//   formula  width / (2 pi cos h) and width / (pi v), where h is the height. At the zenith or the horizon, where one of
-//            them is infinite, and within a pixel's width of it, the value one pixel's width away
+//   formula  width / (2 pi cos h) and width / (pi v), where h is the height. The first is infinite at the zenith, the
+//            second at the horizon: within a pixel's width of these, the value one pixel's width away replaces it
 vec2 panoramaFootprint(vec3 direction, float width)
 {
     float level = max(length(direction.xz), width), v = panoramaUV(direction).y;
@@ -201,7 +201,7 @@ vec3 overcastSky(float sinHeight, vec3 white)
 
 // The light of a horizontal white surface under an overcast sky. It is slightly blue and about a fifth of the light in
 // clear weather; the factors are chosen by eye.
-//   clear  the light of the same surface under the clear sky and its sun
+//   clear  the light of the same surface under a clear sky, including the sun's
 vec3 overcastWhite(vec3 clear)
 {
     return vec3(0.17, 0.19, 0.22) * dot(clear, vec3(0.21, 0.72, 0.07));

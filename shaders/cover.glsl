@@ -19,9 +19,9 @@ bool onCoverGrid(vec2 pixel)
     return floor(pixel) == floor((cell + 0.5) * iResolution.xy / COVER_GRID);
 }
 
-// The least number of evaluations on a ray whose intervals cover the part of the ray that the first march
-// covered; for a hit, one of the evaluations is at the hit itself. The covered part grows from the start: of all t
-// whose interval begins in the covered part, the one whose interval reaches farthest comes next.
+// The least number of evaluations on a ray whose intervals, each from t - d to t + d, together cover the part of the
+// ray that the first march covered; for a hit, one of the evaluations is at the hit itself. The covered part grows from
+// the start: of all t whose interval begins in the covered part, the one whose interval reaches farthest comes next.
 //   ray      of the first march
 //   steps    of that march; 0 means no march, and the result is 0
 //   formula  with a distance that is 1-Lipschitz, t - d and t + d grow along the ray: the next t is

@@ -1,7 +1,8 @@
 // figure.glsl - a sheet of paper for the interactive figures of the pages, with pens and numbers.
 //
-// A figure shows one idea in the plane. It includes this file first, declares its handles, and defines
-// sceneDistance (the distance in the plane z = 0, or p.z if the figure has none) and rayColour, which begins with
+// A figure shows one idea in the plane. It includes this file first, declares its handles (points that the reader
+// drags), and defines sceneDistance (the distance in the plane z = 0, or p.z if the figure has none) and rayColour,
+// which begins with
 //
 //     vec2 p = sheetPoint(ray);
 //

@@ -85,7 +85,7 @@ struct Passage {
 // Follow a straight ray through all solids in its path, as a simple model of a shadow that is not black. In reality,
 // glass refracts the light to other places; here the light goes straight on, minus the share that each boundary
 // reflects.
-//   ray       from shadowRay, outside
+//   ray       from shadowRay; it starts outside all solids
 //   far       how far to search, scene units; 0 or less costs nothing
 //   index     of refraction of the glass
 //   least     the shortest step, scene units, > 0: a solid that is thinner along the ray may be missed

@@ -16,14 +16,15 @@ vec3 halfway(vec3 toLight, vec3 toEye)
     return normalize(toLight + toEye);
 }
 
-// Blinn's and Phong's highlight, normalised: a power of the cosine.
+// The Blinn-Phong highlight, normalised: a power of the cosine.
 //   normal, toLight, toEye  length 1 each
 //   exponent  n, >= 0: the larger the exponent, the smaller the highlight
 //   formula   (n + 2) (n + 4) / (8 pi (n + 2^(-n/2))) dot(normal, halfway)^n. With this factor the surface
 //             reflects all light that arrives along the normal, and less of the light from any other direction,
 //             except for n = 0, where it reflects all light
 // Source: J. F. Blinn, 'Models of light reflection for computer synthesized pictures', SIGGRAPH 1977;
-// the factor by F. Giesen, 2009. With the usual factor (n + 8) / (8 pi), up to 1.08 of the light is reflected.
+// the factor by F. Giesen, 2009. With the usual factor (n + 8) / (8 pi), up to 1.08 times the light that arrives is
+// reflected.
 float blinnPhongGloss(vec3 normal, vec3 toLight, vec3 toEye, float exponent)
 {
     float cosine = max(dot(normal, halfway(toLight, toEye)), 0.0);

@@ -1,9 +1,9 @@
 // main.glsl - main(): runs the chapter's pixelRay and rayColour, then shows the colour or the contents of
 // the trace.
 //
-// The harness sets VIEW: 0 the picture, 1 normals, 2 depth, 3 steps, 4 a slice, 5 a plot below it,
-// 6 the numbers of a probe, 7 the evaluations of the scene and the least number that the march would have
-// needed, 8 the coarse pass of coarse.glsl, one pixel per block of the picture, 9 the positions of points in
+// The harness sets VIEW: 0 the picture, 1 normals, 2 depth, 3 steps, 4 a slice, 5 a slice with a plot below it,
+// 6 the numbers of a probe, 7 the evaluations of the scene and the least number of evaluations that the march would
+// have needed, 8 the coarse pass of coarse.glsl, one pixel per block of the picture, 9 the positions of points in
 // the picture, 10 where a camera that moves comes to rest.
 
 #include "cover.glsl"
@@ -77,7 +77,7 @@ void main()
 {
     traceReset(-1);
     pixelRay(vec2(0.0)); // a chapter may prepare its scene in pixelRay
-    fragColour = vec4(cameraStop(iCameraPosition, iCameraTo) - iCameraTo, 1.0); // precise even in half floats
+    fragColour = vec4(cameraStop(iCameraPosition, iCameraTo) - iCameraTo, 1.0); // small, so precise even in half floats
 }
 
 #else
@@ -97,8 +97,8 @@ void main()
     colour = stepView(pixel);
 #endif
 #if VIEW == 7
-    // The evaluations of the scene; for pixels of the grid, also the steps that the march took and the evaluations
-    // that would have been enough, both of which are 0 elsewhere.
+    // The evaluations of the scene; for pixels on the grid of cover.glsl, also the steps that the first march took and
+    // the evaluations that would have been enough, both of which are 0 elsewhere.
     bool looked = onCoverGrid(pixel);
     int steps = looked ? trace.steps : 0;
     fragColour = vec4(float(trace.evaluations), float(steps), float(fewestEvaluations(ray, steps)), float(looked));

@@ -13,9 +13,9 @@ struct Hit {
 //              an empty interval (tMin >= tMax) is a miss that costs nothing
 //   threshold  a distance below which the surface counts as reached, scene units, > 0
 //   maxSteps   evaluations before the march gives up, at least 1
-//   returns    if found, t is the first point of the march at which the scene is nearer than threshold. It is never
-//              behind a flat surface, and at most threshold / |cos a| in front of the surface along the ray, where a
-//              is the angle between the ray and the normal
+//   returns    if found, t is the first point of the march at which the scene is nearer than threshold. This point is
+//              never behind a flat surface, and at most threshold / |cos a| in front of the surface along the ray,
+//              where a is the angle between the ray and the normal
 // The march needs a scene distance that is a lower bound of the true distance; then it steps over no surface.
 // Source: J. C. Hart, 'Sphere tracing', The Visual Computer 12 (1996); report, section 1.4.
 Hit march(Ray ray, float tMin, float tMax, float threshold, int maxSteps)

@@ -1,9 +1,9 @@
 // night.glsl - the sky of the night: the positions of the stars and the moon, their brightness, and the light of
 // a dark sky and of dusk.
 //
-// Light is linear; 1 is 4,000 cd/m2, about the blue sky of a clear noon. Directions have length 1; x points
-// north, y up, z east. In the frame of the stars, z points towards the celestial pole and x towards the position of
-// the sun at the March equinox. docs/19_moon_and_stars.md proves the claims made here.
+// Light is linear; 1 is 4,000 cd/m^2, a third more than the sky overhead at noon (zenithLight). Directions have length
+// 1; x points north, y up, z east. In the frame of the stars, z points towards the celestial pole and x towards the
+// position of the sun at the March equinox. docs/19_moon_and_stars.md proves the claims made here.
 #include "noise.glsl"
 
 const float NIGHT_PI = 3.14159265;

@@ -2,7 +2,8 @@
 //
 // Slice and graph share the axis along the ray. A step is drawn at (t, distance) and extends to the right by its
 // height, so a march is a staircase. From each step a line falls by 1 per unit of the ray, as fast as a distance can
-// fall: where the graph dips below this line, the scene's function is not a lower bound of the distance.
+// fall. If the graph dips below this line, the scene's function is not 1-Lipschitz; if it also falls to 0 before the
+// line does, the function is not a lower bound of the distance.
 #include "signs.glsl"
 #include "inputs.glsl"
 #include "scene.glsl"
@@ -60,7 +61,8 @@ float plotCurve(Ray ray, vec2 pixel)
     return lineCover(nearest, 2.2 * pen);
 }
 
-// Draw the intervals that the steps show to be empty, the stairs, and the positions of the steps.
+// Draw the falling line of each step with the area below it, which shows the empty interval, the stairs, and the
+// positions of the steps.
 vec3 plotSteps(vec3 colour, vec2 pixel)
 {
     float pen = slicePen(), promised = 0.0, slopes = 0.0, stairs = 0.0, here = 0.0, dots = 0.0;

@@ -1,7 +1,7 @@
 // random.glsl - random numbers for the samples of a pixel.
 #include "inputs.glsl"
 
-// A number that looks random: uniformly distributed over [0, 1), independent of those of other pixels, samples
+// A number that looks random: uniformly distributed over [0, 1), independent of the numbers of other pixels, samples
 // and dimensions. For a given pixel, sample and dimension it is the same on every machine and never depends on
 // the time, so a picture remains a function of its options, and a film does not flicker.
 //   dimension  index of this number within the sample, >= 0: if a point in a disc uses 0 and 1, the next

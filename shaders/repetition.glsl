@@ -13,8 +13,8 @@ float cellOf(float x, float period)
     return floor(x / period + 0.5);
 }
 
-// The position in the cell, from -period / 2 to period / 2: a volume at the origin appears in every cell, without
-// end.
+// The position in the cell, from -period / 2 to period / 2: a volume at the origin appears in each of the infinitely
+// many cells.
 //   formula  x - period cellOf(x)
 //   f(opRepeat(x))  exact outside if f is, the volume fits in its cell and f(-x) = f(x); a lower
 //            bound if f is one and f(-x) = f(x); otherwise not a bound: evaluate cellNeighbour too
@@ -90,9 +90,9 @@ float cellWallLimited(float x, float period, float first, float last)
 //   reach    how far a copy reaches from the middle of its cell along this axis, scene units, less
 //            than period / 2, or a march stops at the borders
 //   formula  period - |opRepeat(x)| - reach, from period / 2 - reach to period - reach
-//   min of the own copy and cellOthers  a lower bound, for copies that vary from cell to cell; for n
-//            axes one copy and the smallest of n; 1-Lipschitz if every copy's function is and is at
-//            least |x - period cell| - reach
+//   min of the cell's own copy and cellOthers  a lower bound, for copies that vary from cell to cell;
+//            for n axes one copy and the smallest of n values of cellOthers; 1-Lipschitz if every
+//            copy's function is and is at least |x - period cell| - reach
 float cellOthers(float x, float period, float reach)
 {
     return period - abs(opRepeat(x, period)) - reach;

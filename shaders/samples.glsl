@@ -6,7 +6,7 @@
 //   a, b     integers, 0 <= a < 2^20, b >= 1
 //   formula  floor((a + 1/2) / b): the half keeps the quotient away from integers by at least 1 / (2 b), which is
 //            more than the rounding error. Exact
-// llvmpipe divides integers one at a time, but floats eight at a time.
+// The software renderer llvmpipe divides integers one at a time, but floats eight at a time.
 int wholeQuotient(int a, int b)
 {
     return int((float(a) + 0.5) / float(b));
@@ -21,7 +21,8 @@ int wholeQuotient(int a, int b)
 //              pixel do not get neighbouring cells
 int sampleCell(int dimension)
 {
-    float turn = cellRandom(ivec3(iPixel, -1 - dimension)); // negative, unlike every pixel's y
+    // cellRandom ignores the order of the last two components, so one of them is negative, unlike every pixel's y.
+    float turn = cellRandom(ivec3(iPixel, -1 - dimension));
     int cell = 23 * iSample + int(turn * float(iSamples));
     return cell - iSamples * wholeQuotient(cell, iSamples);
 }

@@ -30,8 +30,8 @@ struct Trace {
     int   allSteps;       // number of steps of all marches
     int   marches;        // number of marches begun
     vec2  interval;       // tMin and tMax of the first march
-    float threshold;      // of the first march: a distance below threshold + spread t was a hit,
-    float spread;         // scene units, and scene units per scene unit; 0, 0 if not reported
+    float threshold;      // of the first march, scene units: a distance below threshold + spread t was a hit
+    float spread;         // of the first march, per scene unit; threshold and spread are 0 if not reported
     int   steps;          // number of steps of the first march
     float t;              // where the first march ended
     int   end;            // why the first march ended

@@ -4,8 +4,8 @@
 // Its corners are (-1, -1), (3, -1) and (-1, 3): the square from -1 to 1 lies inside. It needs no vertex
 // buffer; the index of the vertex says which corner it is.
 //
-// The output is for shaders with their own main; its name is that of the report's engine. The
-// course's own shaders read inputs.glsl instead.
+// The output is for shaders with their own main; its name is taken from the report's engine. The
+// course's own shaders use inputs.glsl instead.
 
 uniform vec3 iResolution;
 uniform vec2 iPixelJitter;

@@ -34,16 +34,16 @@ vec3 transmittance(vec3 depth, float mass)
     return exp(-depth * mass);
 }
 
-// The light that the air scatters once towards the eye, as a share of the sunlight above the air, if the air
-// scattered equally in all directions.
+// The light that the air scatters once towards the eye, as a share of the sunlight above the air. The air is assumed
+// to scatter equally in all directions.
 //   depth     optical depth of the air overhead, per channel, > 0
 //   viewMass  air mass of the ray from the eye
 //   sunMass   air mass of the ray from the sun
 //   formula   v (exp(-depth s) - exp(-depth v)) / (v - s), v = viewMass, s = sunMass; where v and s
 //             differ by less than 0.02, s + 0.02 replaces v in the quotient, which causes an error of
 //             at most about depth / 50 of the light
-//   The formula assumes that every slanting path is v or s times the vertical path, at every height: this is exact
-//   over a flat Earth, and a model with the air masses of a round Earth.
+//   The formula assumes that every slanting path is v or s times the vertical path, at every height. This is exact
+//   over a flat Earth; with the air masses of a round Earth, the formula is only a model.
 // Source: S. Chandrasekhar, 'Radiative transfer' (1950): the first order of a plane layer.
 vec3 scatteredLight(vec3 depth, float viewMass, float sunMass)
 {
@@ -106,7 +106,7 @@ float daylight(float sinHeight)
 //   depth      optical depth of the air overhead, per channel, > 0
 //   formula    gain day^2 (0.6 + 0.4 c^2) scatteredLight + day transmittance glow, c the cosine of the
 //              angle to the sun; the gain, a colour chosen by eye, represents light scattered more than
-//              once and for ozone: the blue of the zenith at sunset comes only from the gain
+//              once and the effect of ozone: the blue of the zenith at sunset comes only from the gain
 vec3 sunlitSky(vec3 direction, vec3 sun, vec3 depth)
 {
     float view = airMass(direction.y), sunMass = airMass(sun.y), day = daylight(sun.y);
@@ -124,8 +124,8 @@ vec3 nightSky(vec3 direction, vec3 sun)
     return (1.0 - daylight(sun.y)) * mix(vec3(0.002, 0.004, 0.011), vec3(0.016, 0.014, 0.016), low);
 }
 
-// The light of the whole sky on a matt surface: that of sunlitSky at an air mass of 4, adjusted by
-// eye, and a little that remains at night.
+// The light of the whole sky on a matt surface: scatteredLight for an air mass of 4, times a colour
+// chosen by eye, plus a little light that remains at night.
 //   sun, depth  as for sunlitSky
 vec3 skyAmbient(vec3 sun, vec3 depth)
 {

@@ -1,5 +1,5 @@
-// sky_table.glsl - the light of a clear sky, of the sun and of the whole sky together, read from tables that a program
-// has computed: shaders/textures/air.c.
+// sky_table.glsl - the light of a clear sky, of the sun and of the whole sky together, from tables that
+// shaders/textures/air.c computes and from formulas fitted to the same integrals.
 //
 // Light is linear; 1 is 4,000 cd/m^2, about twice the blue overhead at a clear noon. Light that falls on a surface is
 // given as the light that a white matt surface sends back. It ranges from 8.7, for a white surface that faces the noon
@@ -171,7 +171,7 @@ vec3 tableLight(sampler2D table, vec2 uv, float c, SkyScale scale)
 //   direction      of the ray, length 1
 //   sun            direction of the sun, length 1
 //   returns        linear light, >= 0; 1 is 4,000 cd/m^2
-//   formula        the mix of the two tables: by sunwardShare for light scattered once, by moreShare for other light
+//   formula        a mix of the two tables, with sunwardShare for light scattered once and moreShare for other light
 vec3 tableSky(sampler2D sunward, sampler2D away, vec3 direction, vec3 sun)
 {
     vec2 uv = skyUV(sun.y, direction.y);

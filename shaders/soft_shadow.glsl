@@ -53,7 +53,7 @@ float discBesideDisc(float clear, float radius)
 //   toLight  direction of the lamp's middle, length 1
 //   spread   radius of the lamp's disc, > 0
 //   onEdge   a point of the edge
-//   along    direction of the edge, of any length, so that cross(onEdge - p, along) points to the free side
+//   along    direction of the edge, of any length; cross(onEdge - p, along) must point to the free side
 //   exact: the plane through p and the edge meets the disc's plane in a line
 float lampBesideEdge(vec3 p, vec3 toLight, float spread, vec3 onEdge, vec3 along)
 {

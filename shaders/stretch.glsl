@@ -17,7 +17,7 @@ float heightStretchAlong(float slope, vec3 direction)
 
 // The stretch along a ray through a volume turned by opTwist, in the cylinder x^2 + z^2 <= radius^2.
 //   rate       of the twist, radians per scene unit of height
-//   direction  of the ray, length 1, the twist's axis upright
+//   direction  of the ray, length 1; y is the direction of the twist's axis
 //   formula    sqrt((|(v_x, v_z)| + |rate| radius |v_y|)^2 + v_y^2)
 //   returns    from 1, for a level ray, to twistStretch(rate, radius)
 float twistStretchAlong(float rate, float radius, vec3 direction)

@@ -10,7 +10,7 @@
 //   returns    length of the path inside, scene units, at most far; 0 if the ray starts outside
 //   formula    t_0 = 0, t_(n+1) = t_n - distance at t_n, until the distance is at least -threshold
 // Inside, the distance must be negative and its magnitude a lower bound of the depth, so that the march steps over no
-// exit. A union by min and a smooth union satisfy this, although the steps inside them are short.
+// exit. A union with min and a smooth union satisfy this, although the steps inside them are short.
 float thicknessAlong(Ray ray, float far, float threshold, int maxSteps)
 {
     traceBegin(0.0, far);

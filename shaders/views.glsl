@@ -16,7 +16,7 @@ vec3 normalView()
     return trace.normals > 0 ? 0.5 * trace.normal + 0.5 : VIEW_NOTHING;
 }
 
-// Where the first march ended: white at the eye, darker with the distance, 1 / (1 + (t / 6)^4): the
+// Where the first march ended: white at the eye, and darker with the distance t, as 1 / (1 + (t / 6)^4). The
 // greys change most around 6 units, where most scenes are. A miss is shown in a blue that no depth has.
 vec3 depthView()
 {

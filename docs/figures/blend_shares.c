@@ -1,6 +1,6 @@
-// blend_shares.c - two blends of two distances, and the share of the second distance in the cubic
-// blend, in the quadratic blend and in the workshop's weight, all plotted against the difference of
-// the distances.
+// blend_shares.c - two blends of two distances, and three formulas for the share of the second
+// distance: that of the cubic blend, that of the quadratic blend and the workshop's weight. All are
+// plotted against the difference of the distances.
 #include <math.h>
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
 // extrude_revolve.c - from the plane to space: the right-angled triangle of an extrusion, and two
-// revolved discs, whose parts beyond the axis (dashed) do not belong to the solid but still affect
+// revolved discs, whose parts beyond the axis (dashed) do not belong to the solids but still affect
 // the formula's distance.
 #include <math.h>
 #include <stddef.h>
@@ -79,7 +79,7 @@ static void draw_turned(const struct panel *panel, double centre, double y)
     svg_path(POINTS, (const double(*)[2])point, (struct svg_pen){.stroke = SVG_BLUE, .width = 2.4});
     svg_line(panel->x, 56.0, panel->x, 306.0, (struct svg_pen){.stroke = SVG_INK, .width = 1.2});
 
-    // Draw circles with the distance that the formula gives and with the true distance.
+    // Draw two circles, whose radii are the formula's distance and the true distance.
     double p[2], asked = fabs(hypot(centre, y) - 1.0), tip = sqrt(1.0 - centre * centre);
     double answer = fabs(y - tip);
     to_page(panel, 0.0, y, p);

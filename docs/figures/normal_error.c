@@ -21,9 +21,10 @@ int main(void)
     svg_begin(760.0, 440.0, "The step of the normal: two U-shaped curves",
               "The worst angle between the computed and the true normal is plotted against the "
               "step; both axes are logarithmic. On the left, where rounding dominates, both curves "
-              "fall like one over the step. Forward differences turn near a step of 0.0004 at "
-              "about 0.05 degrees and rise in proportion to the step; central differences turn "
-              "near 0.008 at about 0.0014 degrees and rise with the square of the step.");
+              "fall like one over the step. The error of forward differences is smallest, about "
+              "0.05 degrees, near a step of 0.0004 and then rises in proportion to the step. The "
+              "error of central differences is smallest, about 0.0014 degrees, near a step of "
+              "0.008 and then rises with the square of the step.");
     svg_plot_frame(&plot, 0.0, 0.0, "step, scene units", "worst angle, degrees");
     svg_plot_curve(
         &plot, STEPS, (const double(*)[2])forward,

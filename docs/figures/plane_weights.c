@@ -1,6 +1,7 @@
 // plane_weights.c - the weights of three pictures, and the sum of the weights, as the normal turns
-// from the x axis to the y axis, with four methods: the workshop's weights, the same weights
-// divided by their sum, their sixth powers divided by the sum, and the weights less the smallest.
+// from the x axis to the y axis. There are four methods: the workshop's weights, these weights
+// divided by their sum, their sixth powers, and the weights minus the smallest weight. The sixth
+// powers and the differences are also divided by their sums.
 #include <math.h>
 #include <stddef.h>
 

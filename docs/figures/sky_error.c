@@ -1,6 +1,7 @@
 // sky_error.c - the error of the visible share of the sky, beside a ball on a floor, against the
-// number of rays. Either all rays are random over the whole disc, or each cell of the disc has one
-// random ray.
+// number of rays. A point of the unit disc, projected up onto the hemisphere, is the direction of a
+// ray. Either all points are random over the whole disc, or each cell of the disc has one random
+// point.
 #include <math.h>
 #include <stddef.h>
 
@@ -13,7 +14,8 @@ static const int sides[SIDES] = {1, 2, 3, 4, 6, 8, 12};
 static const double pi = 3.14159265358979323846;
 
 // Returns 1 if a ray from the floor reaches the sky, otherwise 0. The ray starts at the distance
-// `away` from the point where a ball of radius 1 touches the floor.
+// `away` from the point where a ball of radius 1 touches the floor; u and v, from 0 to 1, determine
+// its direction.
 static double reaches(double u, double v, double away)
 {
     double x = sqrt(u) * cos(2.0 * pi * v), y = sqrt(1.0 - u);

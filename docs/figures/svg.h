@@ -2,8 +2,9 @@
 // on the page are in pixels, with y downwards; a plot on the page has its own coordinates, with y
 // upwards.
 //
-// Positions are written with two decimals, so that a figure is the same file on every machine. For
-// the same reason, a curve of rounding errors needs a pen with one decimal.
+// Positions are written with two decimals, so that a figure is the same file on every machine. A
+// curve of rounding errors differs slightly between machines: draw it with a pen that writes only
+// one decimal.
 #ifndef SVG_H
 #define SVG_H
 

@@ -10,7 +10,7 @@ int main(void)
     const struct svg_plot plot = {70.0, 50.0, 650.0, 300.0, {0.0, 3.0}, {1.0, 3.5}, false, false};
     double right[121][2], wrong[121][2];
     for (int i = 0; i <= 120; i++) {
-        double q = 3.0 * i / 120.0; // u = |mu| rho
+        double q = 3.0 * i / 120.0; // the plot's u: twist per unit times distance from the axis
         right[i][0] = wrong[i][0] = q;
         right[i][1] = 0.5 * (q + sqrt(q * q + 4.0));
         wrong[i][1] = sqrt(1.0 + q * q);

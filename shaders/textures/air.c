@@ -32,7 +32,7 @@ void air_shares(double sun, double view, double azimuth, double ozone, struct ai
     double length = air_way_out(AIR_EARTH, view);
     struct air_amount passed = {0.0, 0.0, 0.0};
     *shares = (struct air_shares){{0.0}, {0.0}, {0.0}};
-    for (int i = 0; i < VIEW_STEPS; i++) { // the middles of steps, which grow with the distance
+    for (int i = 0; i < VIEW_STEPS; i++) { // at the middles of steps that grow with the distance
         double from = (double)i / VIEW_STEPS, to = (i + 1.0) / VIEW_STEPS, q = 0.5 * (from + to);
         double distance = length * q * q, step = length * (to * to - from * from);
         double height = air_height_at(AIR_EARTH, view, distance), radius = AIR_EARTH + height;
@@ -159,7 +159,7 @@ void air_table(double u, double v, double azimuth, double ozone, double value[4]
     for (int c = 0; c < 3; c++)
         part[c] *= all;
     double blue = part[2] / one[2];
-    int byte = paint_byte(blue); // rounded down; the fourth number contains the rest
+    int byte = paint_byte(blue); // the next line rounds it down; value[3] contains the rest
     byte -= byte > 0 && paint_light(byte) > blue ? 1 : 0;
     value[0] = part[0] / one[0];
     value[1] = part[1] / one[1];

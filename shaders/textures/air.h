@@ -1,17 +1,17 @@
 // air.h - the light of a clear sky: sunlight that the air of a round Earth scatters, once or
-// several times. It is used by the programs of the tables: sky_sunward, sky_away, no_ozone_sunward,
-// no_ozone_away and sun_halo.
+// several times. The programs that paint the tables sky_sunward, sky_away, no_ozone_sunward,
+// no_ozone_away and sun_halo use this header.
 //
-// Light is in the unit of the course's skies: 1 is 4,000 cd/m^2. A lamp's light on a surface is
-// given as the light that a white matt surface perpendicular to its rays sends back. Colours are
-// linear sRGB. Heights are given by their sine.
+// Light is in the unit of the course's skies: 1 is 4,000 cd/m^2. The sun's light on a surface is
+// given as the light that a white matt surface perpendicular to the sun's rays sends back. Colours
+// are linear sRGB. The heights of the sun and of directions are angles, given by their sines.
 #ifndef AIR_H
 #define AIR_H
 
 // The properties of one wavelength. The wavelengths are 400 to 700 nm, in steps of 20 nm.
 enum { AIR_WAVES = 16 };
 struct air_wave {
-    double sun;    // W m^-2 nm^-1 above the air
+    double sun;    // sunlight above the air, W m^-2 nm^-1
     double ozone;  // cross section of a molecule, 1e-25 m^2
     double eye[3]; // the eye's colour matching functions x, y, z
 };
@@ -33,13 +33,14 @@ struct air_light {
 // which takes a few seconds to compute, on the first call and whenever ozone changes. The grid
 // contains four orders of scattering, by air, dust and a ground of albedo 0.15; the light of each
 // order is assumed to arrive equally from all directions.
-//   sun      sine of the sun's height, in [-1, 1]; no light comes through the Earth
+//   sun      sine of the sun's height, in [-1, 1]; the Earth casts its shadow on the air
 //   view     sine of the direction's height, in [0, 1]
 //   azimuth  cosine of the horizontal angle to the sun, in [-1, 1]: 1 towards the sun
 //   ozone    amount of ozone; 1 is 300 Dobson units, 0 leaves it out
 struct air_light air_scattered(double sun, double view, double azimuth, double ozone);
 
-// The scattered light of each wavelength, as shares of the sunlight above the air, per steradian.
+// The scattered light of each wavelength, as shares of the sunlight above the air: per steradian
+// once air and dust have been multiplied by their phase functions, as in struct air_light.
 struct air_shares {
     double air[AIR_WAVES], dust[AIR_WAVES], more[AIR_WAVES];
 };
@@ -72,8 +73,8 @@ double air_drawn_back(double x, double k);
 
 // The light of a low sun is redder than a screen's red: its blue is slightly negative, which a
 // colour of a picture cannot represent; and near 0 a screen distinguishes more values of blue
-// than a byte has. So a fourth number, stored unchanged, contains the missing part, as a share of
-// the red's scale; the byte 128 adds nothing.
+// than a byte has. So a fourth number, stored unchanged, contains the missing part of the blue, in
+// units of AIR_FINE times the red's scale; the byte 128 adds nothing.
 #define AIR_FINE 0.06
 
 // The light that a table's number 1 represents: a smooth function of the sun's height and of the

@@ -208,7 +208,7 @@ static void next_order(grid from, bool first, double falls[SUNS][AIR_WAVES], dou
     }
 }
 
-// Fill in both grids for an amount of ozone, unless they already contain it.
+// Fill in both grids for an amount of ozone, unless they are already filled for this amount.
 static void scatter(double ozone)
 {
     static double known = -1.0;

@@ -1,4 +1,5 @@
-// air_orders.h - sunlight that the air, its dust and the ground have scattered more than once.
+// air_orders.h - sunlight that the air, its dust and the ground have scattered at least once before
+// it arrives at a point of the air.
 #ifndef AIR_ORDERS_H
 #define AIR_ORDERS_H
 

@@ -16,7 +16,7 @@
 static const double LOW_SCALE = 9.6, HIGH_SCALE = 6.7, BEND = 9.0;
 
 // The thickness that the air overhead would have if all of it were as dense as at sea level, and
-// the same thickness for the dust.
+// the corresponding thickness of the dust.
 static const double AIR_COLUMN = 8.464, DUST_COLUMN = 1.2;
 
 // Angular radius of the sun: 0.267 degrees.

@@ -9,8 +9,8 @@
 #define AIR_EARTH 6371.0
 #define AIR_TOP   120.0
 
-// The share of the light removed by dust that the dust scatters, and the mean cosine of the
-// scattering angle.
+// Dust scatters the share AIR_DUST_KEPT of the light that it removes, at angles whose mean cosine
+// is AIR_FORWARD.
 #define AIR_DUST_KEPT 0.92
 #define AIR_FORWARD   0.76
 
@@ -22,7 +22,7 @@ struct air_amount {
 };
 
 // The optical depth of the air overhead, and of the dust overhead, at a wavelength, which is given
-// as an index of air_waves.
+// as an index into air_waves.
 double air_depth(int wave);
 double air_dust_depth(int wave);
 
@@ -35,7 +35,7 @@ struct air_amount air_density(double height);
 double air_height_at(double radius, double sine, double distance);
 double air_way_out(double radius, double sine);
 
-// The amounts along a ray that does not descend, sine >= 0, to the top of the air.
+// The amounts along a ray that does not descend (sine >= 0), up to the top of the air.
 struct air_amount air_amount_up(double radius, double sine);
 
 // The share of the light of a wavelength that passes through these amounts: e^-depth, with a
@@ -43,8 +43,8 @@ struct air_amount air_amount_up(double radius, double sine);
 //   ozone  amount of ozone; 1 is 300 Dobson units
 double air_share_through(int wave, struct air_amount amount, double ozone);
 
-// Add the sun's light at a point, as shares of the light above the air. The sun is a disc, and near
-// the edge of the Earth's shadow only a part of it is visible.
+// Add the share of the light above the air that travels from the sun to a point and from there to
+// an eye. The sun is a disc, and near the edge of the Earth's shadow only a part of it is visible.
 //   radius  distance of the point from the Earth's centre
 //   sine    sine of the height of the sun's centre
 //   way     the amounts between the point and the eye

@@ -1,6 +1,6 @@
 // clay.c - the distance to a clay elephant at the points of a grid, 64 slices of 64 x 64, from -1
 // to 1 on each axis: x to the right, y upwards, z from slice to slice. Red is the high byte, green
-// the low byte. The texture is read with linear and clamp, texel by texel.
+// the low byte. Declare the texture as linear and clamp, and read it texel by texel.
 //
 // Given the name of an OBJ file, the program uses the distance to its mesh instead. The mesh must
 // be closed.

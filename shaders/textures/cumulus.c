@@ -91,7 +91,7 @@ static double puffs_at(double x, double y, double z)
 // ---- The field ----
 
 #define RAGGED 16.0 // how uneven the rim of an anvil is, kilometres
-#define FIBRES 60.0 // period of the rim's bays, kilometres
+#define FIBRES 60.0 // period of the noise that shapes the rim, kilometres
 
 // How far inside a tower a point is, as a share of the field's depth. The head consists of ice: it
 // is thinner and smoother, and has a soft rim.
@@ -120,7 +120,8 @@ static double beside_the_way(const struct tower *tower, double x, double z)
     return sqrt(north * north + east * east) / tower->clearing;
 }
 
-// inside_tower for the ordinary columns, which keep away from towers.
+// Like inside_tower, but for the ordinary columns, which keep clear of the lines from the eye to
+// the towers.
 static double inside_column(const struct cumulus *field, double x, double z, double altitude)
 {
     double period = MAP_CELLS * field->cell, height = (altitude - field->base) / field->depth;
@@ -187,8 +188,9 @@ static double light_from(const struct cumulus *field, const double p[3], double 
 
 // ---- The panorama ----
 
-// The cosine and sine of u turns. Those of a half turn, a quarter, an eighth and so on, each found
-// from those before with square roots, are combined according to the bits of u.
+// The cosine and sine of u turns, combined according to the bits of u from those of a half turn, a
+// quarter turn, an eighth and so on. Each of these pairs is found with square roots from the pair
+// before.
 static void turn(double u, double *cosine, double *sine)
 {
     double c = 1.0, s = 0.0, half_c = -1.0, half_s = 0.0, rest = 2.0 * (u - floor(u));

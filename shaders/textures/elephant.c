@@ -65,7 +65,7 @@ enum {
     CENTRE = 7 // the middle cell along x
 };
 
-// Convert the coordinates of these tables to those of the cube.
+// Convert a block from the coordinates of these tables to those of the cube from -1 to 1.
 static void fit(struct mesh_block *block)
 {
     static const double origin[3] = {0.0, -0.04, 0.381};

@@ -1,4 +1,4 @@
-// elephant.h - the clay elephant of chapter 23: its mesh, and its distance in a grid.
+// elephant.h - the clay elephant of chapter 23: its mesh, and how a grid stores the distance to it.
 #ifndef ELEPHANT_H
 #define ELEPHANT_H
 

@@ -1,6 +1,6 @@
 // mesh.h - closed meshes: from blocks to a cage, from a cage to a smooth surface, and to triangles.
 //
-// Only + - * / and the square root are used, so that a mesh is the same on every machine.
+// Only + - * / are used, so that a mesh is the same on every machine.
 #ifndef MESH_H
 #define MESH_H
 
@@ -28,10 +28,10 @@ struct mesh {
 // Free the result with mesh_free.
 struct mesh mesh_of_blocks(const struct mesh_block *block, int count);
 
-// One step of Catmull and Clark: each face becomes four. A closed mesh stays closed.
+// One step of Catmull-Clark subdivision: each face becomes four. A closed mesh stays closed.
 //   formula  a face's point is the mean of its corners; an edge's point the mean of its ends and of
 //            the points of its two faces; a vertex V with n faces moves to (F + 2 E + (n - 3) V) /
-//            n, F and E the means of the points of its faces and of the middles of its edges
+//            n, where F is the mean of its faces' points and E the mean of its edges' middles
 // Free the result with mesh_free; the argument still belongs to the caller.
 // Source: E. Catmull, J. Clark, 'Recursively generated B-spline surfaces on arbitrary topological
 // meshes', Computer-Aided Design 10 (1978).
@@ -51,7 +51,7 @@ struct triangles {
 struct triangles mesh_triangles(const struct mesh *mesh);
 void triangles_free(struct triangles *triangles);
 
-// Allocates memory for count zeroed items. If there is not enough, prints a message and ends the
+// Allocate memory for count zeroed items. If there is not enough, print a message and end the
 // program.
 void *mesh_memory(size_t count, size_t size);
 

@@ -1,8 +1,9 @@
 // mesh_distance.h - the signed distance to a closed mesh of triangles.
 //
 // The distance is the distance to the nearest triangle, found with a tree of boxes. Its sign is the
-// sign of a dot product with the normal at the nearest point: the normal of the face, of the edge,
-// or of the vertex, where the normals of the faces are weighted by the faces' angles at the vertex.
+// sign of the dot product of two vectors: from the nearest point to p, and the normal at the
+// nearest point. This is the normal of the face, the edge or the vertex on which that point lies.
+// The normal of a vertex is the sum of its faces' normals, weighted by the faces' angles there.
 // docs/23_stored_distances.md proves that this sign is right for every closed mesh that does not
 // cross itself.
 #ifndef MESH_DISTANCE_H

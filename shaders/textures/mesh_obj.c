@@ -9,7 +9,8 @@ enum { LINE = 65536 }; // bytes of the buffer for a line
 
 // ---- Reading ----
 
-// Make room for one item more than count: the capacity doubles whenever count is a power of two.
+// Make room for one more item after count items: the capacity doubles whenever count is a power of
+// two.
 static void *room(void *items, int count, size_t size)
 {
     if ((count & (count - 1)) != 0)

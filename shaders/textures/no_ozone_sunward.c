@@ -1,5 +1,5 @@
-// no_ozone_sunward.c - sky_sunward.png for air without ozone, for an experiment of chapter 18. The
-// table is read with sRGB and clamp.
+// no_ozone_sunward.c - sky_sunward.png for air without ozone, for an experiment of chapter 18.
+// Declare the table as sRGB and clamp.
 #include "air.h"
 #include "paint.h"
 

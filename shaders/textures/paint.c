@@ -34,8 +34,8 @@ double paint_random(int i, int j, uint32_t seed)
 
 // ---- Real arithmetic ----
 
-// The rest is at most half of log 2 = 0.693 in size, where 14 terms are enough: 0.35^15 / 15! is
-// 1e-19. Two constants add up to log 2; n times the first constant is exact.
+// The rest, x - n log 2, is at most log 2 / 2 = 0.347 in size, where 14 terms are enough:
+// 0.35^15 / 15! is 1e-19. Two constants add up to log 2; n times the first constant is exact.
 double paint_exp(double x)
 {
     if (x < -700.0)

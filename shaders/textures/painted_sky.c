@@ -1,7 +1,7 @@
 // painted_sky.c - a sky painted by eye, for an exercise of chapter 18. The sine of the sun's height
 // increases to the right, from -1 to 1, and that of the direction's height upwards, from 0 to 1.
 // The lower storey is the half of the sky that contains the sun, and the upper storey is the other
-// half. The colours are those that the screen should show. The table is read with sRGB and clamp.
+// half. The colours are those that the screen should show. Declare the table as sRGB and clamp.
 #include <math.h>
 
 #include "paint.h"

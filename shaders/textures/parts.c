@@ -178,8 +178,8 @@ static void divide(struct builder *b, const struct block *box, const uint16_t *i
     free(block.distance);
 }
 
-// Set the grid's box, which contains all parts and the material that their blends add, and its
-// cells.
+// Set the corner of the grid and the size and number of its cells. The grid contains all parts and
+// the material that their blends add.
 static void surround(struct part_grid *grid, const struct part *part, int count, double fineness)
 {
     double high[3], longest = 0.0, root = 1.0;

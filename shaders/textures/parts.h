@@ -1,7 +1,7 @@
 // parts.h - a scene of thousands of parts that blend where they meet, and a grid that lists the
 // parts that matter in each cell. Chapter 22 explains both.
 //
-// A part is a capsule: the points within its radius of a segment. Lengths are scene units.
+// A part is a capsule: the points within its radius of a segment. Lengths are in scene units.
 #ifndef PARTS_H
 #define PARTS_H
 
@@ -13,8 +13,9 @@
 #define PART_HALF       (1.0 / 256.0)   // half segments are multiples of this
 #define PART_RADIUS     (1.0 / 65536.0) // radii are squares of whole numbers times this
 
-// A part is left out of a cell's list if it is farther than the nearest part by PART_REACH times
-// the blend, or if it is PART_MARGIN times the blend away from every point of the cell.
+// A part is left out of a cell's list if, at every point of the cell, it is farther away than the
+// nearest part by at least PART_REACH times the blend, or is at least PART_MARGIN times the blend
+// away. A cell that lies inside the scene lists only one part.
 #define PART_REACH  3.0
 #define PART_MARGIN 3.0
 
@@ -36,7 +37,8 @@ double part_distance(const struct part *part, const double p[3]);
 double part_union(double a, double b, double blend);
 
 // The distance from p to the smooth union of some parts, joined one after the other in their order.
-//   id, count  indices of the parts, and their number; if id is NULL, the first count parts
+//   id, count  indices of the parts, and their number; if id is NULL, the first count parts are
+//              joined
 //   blend      width of the blends, > 0
 double parts_distance(const struct part *part, const uint16_t *id, int count, double blend,
                       const double p[3]);

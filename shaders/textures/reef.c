@@ -1,5 +1,5 @@
-// reef.c - the parts of a reef and their lists, as a table of bytes. The table is read with
-// texelFetch, linear and clamp; chapters/reef.glsl explains the bytes.
+// reef.c - the parts of a reef and the lists of its cells, as a table of bytes. Declare the table
+// as linear and clamp, and read it with texelFetch; chapters/reef.glsl explains the bytes.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

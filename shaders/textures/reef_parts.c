@@ -5,12 +5,13 @@
 
 #include "paint.h"
 
-// The kinds of corals. STAG, BUSH, FAN and TABLE fork again and again.
+// The kinds of coral. STAG, BUSH, FAN and TABLE fork again and again.
 enum kind { STAG, BUSH, FAN, TABLE, BRAIN, TUBES, ANEMONE };
 
 enum { STONE = 14, FISH = 15, PINK = 0, RED, ORANGE, YELLOW, GREEN, CYAN, BLUE, VIOLET, CREAM };
 
-enum { TIPS = 4096, COLONY = 96 }; // limit on the tips at a time; parts of a colony, roughly
+// At most TIPS tips of a coral grow at a time. A colony has about COLONY parts.
+enum { TIPS = 4096, COLONY = 96 };
 
 struct v3 {
     double x, y, z;

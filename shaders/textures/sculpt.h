@@ -33,9 +33,10 @@ bool sculpt_march(const unsigned char *grid, const double origin[3], const doubl
 //   slices    receives the first slice in z that may have changed, and the slice after the last;
 //             (0, 0) if no slice may have changed
 //   formula   min(F, U(F before, r)) where clay is added, max(F, -U(-F before, r)) where it is
-//             taken away, r the distance to the roll, U the quadratic smooth union. A point with
-//             r >= |F| + SCULPT_BLEND keeps its value, because no surface nearer than |F| has
-//             changed. The blended values beside the new surface stay; all others are swept
+//             taken away; F is the value at a point, r the distance to the roll, and U the
+//             quadratic smooth union. A point with r >= |F| + SCULPT_BLEND keeps its value, because
+//             no surface nearer than |F| has changed. The blended values beside the new surface
+//             stay; all others are swept
 void sculpt_piece(unsigned char *grid, const unsigned char *before, const double from[3],
                   const double to[3], double radius, int slices[2]);
 

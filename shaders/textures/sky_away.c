@@ -1,5 +1,5 @@
 // sky_away.c - the light of a clear sky along the middle of the half away from the sun: a table
-// over the sun's height and the direction's height, which air.h describes. Read with sRGB and
+// over the sun's height and the direction's height, which air.h describes. Declared as sRGB and
 // clamp, the table gives linear light as shares of a scale.
 #include "air.h"
 #include "paint.h"

@@ -6,7 +6,7 @@
 
 #include "mesh.h"
 
-// The points with one more layer around them, whose distances are infinite.
+// The points of a grid, with one extra layer around them. The distances in the layer are infinite.
 struct grid {
     double *value;       // as given; the outer layer repeats the points beside it
     double *distance;    // unsigned
@@ -62,8 +62,8 @@ static void begin(struct grid *grid, ptrdiff_t i)
     grid->distance[i] = grid->fixed[i] ? beside : INFINITY;
 }
 
-// The solution d of (d - a)^2 + (d - b)^2 + (d - c)^2 = cell^2 that is above a, b and c; a term
-// whose letter would be above d is left out.
+// The solution d of (d - a)^2 + (d - b)^2 + (d - c)^2 = cell^2 that is above a, b and c. A term is
+// left out if its a, b or c would be above d.
 static double solve(double a, double b, double c, double cell)
 {
     double least = least_of(a, least_of(b, c)), most = most_of(a, most_of(b, c));

@@ -8,7 +8,7 @@
 //   value  size[0] x size[1] x size[2] numbers, x fastest: negative inside, positive outside,
 //          continuous; only their signs and their ratios across the surface matter
 //   keep   for each point, true if its value is already a distance and stays; the values beside the
-//          surface then stay too, so that the surface does not move. NULL if no value stays
+//          surface then stay too, so that the surface does not move. keep is NULL if no value stays
 //   size   points on each axis, >= 2
 //   cell   distance between neighbours, > 0
 // Points next to the surface get the distance to the plane through the crossings of their edges;
