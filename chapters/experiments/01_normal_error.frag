@@ -1,6 +1,7 @@
-// Experiment of chapter 01: the error of the normal against the step of the differences, measured by the GPU itself.
-// Each column of pixels uses one step and 512 points on a unit ball, whose centre is 10 units from the origin, and
-// shows the root mean square of the errors. Central differences are yellow, forward differences blue.
+// Experiment of chapter 01: the error of the normal, plotted against the step of the differences and measured by the
+// GPU itself. For each column of pixels, the normal is computed at 512 points on a unit ball, whose centre is 10 units
+// from the origin, and the root mean square of the errors is shown. Central differences are yellow, forward differences
+// blue.
 //
 // The horizontal axis is the step, from 1e-5 to 1; the vertical axis is the angle between the computed and the true
 // normal, from 1e-4 to 100 degrees. There is a line at each power of ten; the brighter ones are at a step of 0.001 and
@@ -36,8 +37,9 @@ vec3 forwardNormal(vec3 p, float h)
     return size > 0.0 ? gradient / size : vec3(0.0);
 }
 
-// The root mean square of the angles over the ball, in degrees, for central and forward differences. Each point uses a
-// different step, from h to 1.1 h, so that rounding is not favourable at all points at once.
+// The root mean square, over the ball, of the angle between the computed and the true normal, in degrees, for central
+// and forward differences. Each point uses a different step, from h to 1.1 h, so that rounding is not favourable at all
+// points at once.
 vec2 typicalAngles(float h)
 {
     vec2 squares = vec2(0.0);
@@ -60,7 +62,7 @@ vec3 rayColour(Ray ray)
     vec2 point = ray.origin.xy;
     vec2 angles = typicalAngles(pow(10.0, point.x - 5.0));
     vec2 curve = log2(max(angles, 1e-6)) / log2(10.0) + 4.0;
-    vec2 apartFrom = 25.0 * (point.y - curve); // soft lines, a tenth of a unit wide
+    vec2 apartFrom = 25.0 * (point.y - curve); // soft lines, 0.07 units wide at half strength
     vec2 cover = exp(-apartFrom * apartFrom);
 
     vec2 power = floor(point + 0.5);

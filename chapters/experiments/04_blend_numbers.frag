@@ -1,5 +1,6 @@
 // Experiment of chapter 04: the blend of the workshop's opBlend, which interpolates between the
-// numbers of two materials, here their hues, with the weight clamp(a - d, 0, 1).
+// numbers of two materials, here their hues, with the weight clamp(a - d, 0, 1). The distance to
+// the first solid is a, and the distance to the smooth union is d.
 //
 //   numbers=true           interpolate the hues: all hues between those of block and ball appear
 //   workshopWeight=true    use the workshop's weight, which is blend / 6 where it should be 1 / 2

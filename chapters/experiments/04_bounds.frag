@@ -1,8 +1,8 @@
 // Experiment of chapter 04: a diagram, in the plane, of what min and max do to the distances of two
 // discs. Dark lines connect points where the operation gives the same value, and white lines
-// connect points at the same true distance. The difference is shown in red, which is strongest from
-// 0.25. Where no white line is visible, the two kinds of line coincide, and the operation is exact.
-// For the smooth union, only the dark lines are drawn.
+// connect points at the same true distance. The difference is shown in red, which is strongest
+// where the difference is at least 0.25. Where no white line is visible, the two kinds of line
+// coincide, and the operation is exact. For the smooth union, only the dark lines are drawn.
 //
 // The true distance is the smallest of the distances to the pieces of the boundary: the remaining
 // part of each circle, and the two points where the circles cross.
@@ -54,8 +54,8 @@ float trueDistance(vec2 p)
     return min(corner, min(a, b)) * sign(combined(vec3(p, 0.0)));
 }
 
-// Lines at multiples of 0.25 of a distance; the line at 0 is thicker. Returns the share of the
-// pixel that they cover, from 0 to 1.
+// Lines where a distance is a multiple of 0.25; the line at 0 is thicker. Returns the share of the
+// pixel that the lines cover, from 0 to 1.
 float levels(float distance, float pixel)
 {
     float nearest = 0.25 * floor(4.0 * distance + 0.5);

@@ -1,6 +1,7 @@
-// Experiment of chapter 04: how a march approaches an edge. In the middle of the wheel is a lens,
-// the intersection of two balls of radius 1.1, with the bound max(a, b). The parameter `apart` sets
-// how sharp the rim of the lens is.
+// Experiment of chapter 04: how a march approaches an edge. In the middle of the chapter's wheel is
+// a lens, the intersection of two balls of radius 1.1. Its distance is the lower bound max(a, b),
+// where a and b are the distances to the balls. The parameter `apart` sets how sharp the rim of the
+// lens is.
 //
 // This file replaces the chapter's sceneDistance, colourAt and rayColour, because the solid in the
 // middle is different.

@@ -21,7 +21,7 @@ const vec3  TO_SUN = vec3(0.50, 0.66, 0.56); // length 1 to three digits
 const float BEND = 1.3;   // radians per scene unit
 const float BUMP = 0.045; // height of a bump, scene units
 const float FINE = 14.0;  // radians per scene unit: how close together the bumps are
-const float NEAR = 1.0;   // radius of the ball in which the bound of the bend is used, scene units
+const float NEAR = 1.0;   // radius of the ball in which the stretch of the bend is bounded, scene units
 
 Ray pixelRay(vec2 screen)
 {
@@ -64,7 +64,7 @@ float sceneDistance(vec3 p)
     return min(left, min(plank(p - vec3(0.7, 0.0, 0.0)), bumpy(p - vec3(2.4, 0.0, 0.0))));
 }
 
-// The floor is a plane and needs no march. Only the objects are marched, in their box.
+// The floor is a plane and needs no march. Rays are marched only inside the box around the objects.
 vec3 rayColour(Ray ray)
 {
     vec2 interval = boxInterval(ray, LOW, HIGH);

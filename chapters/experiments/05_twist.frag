@@ -33,7 +33,7 @@ float sceneDistance(vec3 p)
     return stepFactor * (divided ? torus / twistStretch(twistRate, REACH) : torus);
 }
 
-// The floor is a plane and needs no march. Only the torus is marched, in its box.
+// The floor is a plane and needs no march. Rays are marched only inside the box around the torus.
 vec3 rayColour(Ray ray)
 {
     vec2 interval = boxInterval(ray, LOW, HIGH);

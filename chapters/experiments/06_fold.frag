@@ -11,7 +11,8 @@ uniform float mirrorOffset; // 0.3 in [-2, 2] step 0.1, units: the plane is dot(
 uniform float normalLength; // 1 in [0.5, 1.5] step 0.05: length of the normal, which should be 1
 uniform bool  otherSide;    // false: change the signs of normal and offset: the same line, the other side
 
-// The origin of the ray is the point in the plane. The picture is 4 units high.
+// The origin of the ray is the point of the plane that the pixel shows. The picture is 4 units
+// high.
 Ray pixelRay(vec2 screen)
 {
     return Ray(vec3(2.0 * screen, 0.0), vec3(0.0, 0.0, -1.0));

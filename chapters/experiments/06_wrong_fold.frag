@@ -22,7 +22,7 @@ vec3 wrongFold(vec3 q, vec3 direction, float size)
 {
     vec3 normal = direction * 0.70710678;
     float offset = 1.41421356 * size;
-    if (mistake == 1) // the report's sign of section 2.1.2, dot(p, normal) - offset, used in 2.2.4
+    if (mistake == 1) // the sign of the report's section 2.1.2, dot(p, normal) - offset, used in section 2.2.4
         return opReflect(q, normal, -offset);
     if (mistake == 2) // the plane, dot(q, direction) = -2 size, is right, but the normal's length is sqrt(2)
         return opReflect(q, direction, 2.0 * size);

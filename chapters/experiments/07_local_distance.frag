@@ -1,5 +1,5 @@
-// Experiment of chapter 07: the exit test of the report's annex: a ray ends when the distance to
-// the scene is 20 or more. In an endless field no distance is that large, so every ray that hits
+// Experiment of chapter 07: the exit test of the report's annex, which ends a ray when the distance
+// to the scene is 20 or more. In an endless field no distance is that large, so every ray that hits
 // nothing goes on until it runs out of steps.
 //
 // A macro replaces the chapter's call to marchCone with a call to marchLocal.

@@ -21,7 +21,7 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// A plank 2.4 wide and 0.4 thick, turned about the vertical.
+// A plank 2.4 scene units wide and 0.4 thick, turned about the vertical.
 //   x  along the fence, from the plank's centre
 float plankDistance(float x, vec3 p)
 {

@@ -1,6 +1,6 @@
-// Experiment of chapter 09: only the tower of the cell is evaluated, without a cap for the
-// neighbours. Over a low tower, a ray takes steps as long as the distance to its roof, and passes
-// through the high tower beside it.
+// Experiment of chapter 09: only the tower in the point's own cell is evaluated, and no step is
+// capped by the distance to the neighbouring cells. Over a low tower, a ray takes steps as long as
+// the distance to the tower's roof, and passes through a high tower in the next cell.
 //
 // The chapter's sceneDistance is renamed; everything else is as in the chapter.
 #include "main.glsl"

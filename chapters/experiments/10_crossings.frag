@@ -1,6 +1,6 @@
 // Experiment of chapter 10: a polygon whose sides include both of their ends. At the height of a
-// corner, the half-line to the right meets two sides where it crosses the outline once, so inside
-// and outside are exchanged.
+// corner, the half-line from p to the right meets two sides where it crosses the outline once, so
+// inside and outside are exchanged.
 #include "main.glsl"
 #include "plane.glsl"
 

@@ -1,7 +1,7 @@
 // Experiment of chapter 10: a rectangle whose distance is the larger coordinate,
 // max(|x| - hx, |y| - hy). The outline and the values inside are those of the exact distance.
-// Outside, this is a lower bound: in front of a corner it is too small, at worst by a factor of
-// sqrt(1/2).
+// Outside, the larger coordinate is a lower bound: in front of a corner it is too small, at worst
+// by a factor of sqrt(1/2).
 #include "main.glsl"
 #include "plane.glsl"
 

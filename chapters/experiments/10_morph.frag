@@ -1,7 +1,8 @@
 // Experiment of chapter 10: the distances of two discs, mixed half and half. The outline is an
 // ellipse with the centres as its foci. Dark lines belong to the mixture, white lines to the true
-// distance. Red shows by how much the mixture is too small, and is strongest from 0.25. The true
-// distance is computed as the smallest distance to 256 chords of a quarter of the ellipse.
+// distance. Red shows by how much the mixture is too small, and is strongest where the error is at
+// least 0.25. The true distance is computed as the smallest distance to 256 chords of a quarter of
+// the ellipse.
 #include "main.glsl"
 #include "plane.glsl"    // sdCircle, sdSegment
 #include "coverage.glsl" // coverage
@@ -35,8 +36,8 @@ float ellipseDistance(vec2 p)
     return dot(p / axes, p / axes) < 1.0 ? -nearest : nearest;
 }
 
-// Lines at multiples of 0.1 of a distance; the line at 0 is thicker. Returns the share of the pixel
-// that they cover, from 0 to 1.
+// Lines where a distance is a multiple of 0.1; the line at 0 is thicker. Returns the share of the
+// pixel that the lines cover, from 0 to 1.
 float levels(float d, float pixel)
 {
     float nearest = 0.1 * floor(10.0 * d + 0.5);

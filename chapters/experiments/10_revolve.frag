@@ -1,10 +1,10 @@
-// Experiment of chapter 10: a disc of radius 1 is revolved about the axis, shown in a plane through
-// the axis. Left of the axis nothing is evaluated and nothing is drawn, but the part of the disc
-// there still affects the distance.
+// Experiment of chapter 10: a disc of radius 1 is revolved about the y axis, and shown in a plane
+// through this axis. Left of the axis nothing is evaluated and nothing is drawn, but the part of
+// the disc there still affects the distance.
 //
 // Dark lines show the distance that the formula gives, and white lines show the distance to the
-// surface that is drawn. Red shows the difference, and is strongest from 0.25. Where no white line
-// is visible, the two distances coincide.
+// surface that is drawn. Red shows the difference, and is strongest where it is at least 0.25.
+// Where no white line is visible, the two distances coincide.
 #include "main.glsl"
 #include "camera.glsl"
 #include "plane.glsl"  // sdCircle, sdArc
@@ -28,7 +28,7 @@ float sceneDistance(vec3 p)
 // inside.
 float drawnDistance(vec2 q)
 {
-    float half_ = atan(sqrt(max(1.0 - centre * centre, 0.0)), -centre); // the arc cosine of -centre
+    float half_ = atan(sqrt(max(1.0 - centre * centre, 0.0)), -centre); // acos(-centre); pi if centre >= 1
     float rim = sdArc(vec2(q.y, q.x - centre), 1.0, half_);
     return sdCircle(q - vec2(centre, 0.0), 1.0) < 0.0 ? -rim : rim;
 }
@@ -41,8 +41,8 @@ float line(float distance, float width)
     return clamp(0.5 * width + 0.5 - abs(distance), 0.0, 1.0);
 }
 
-// Lines at multiples of 0.1 of a distance; the line at 0 is thicker. Returns the share of the pixel
-// that they cover, from 0 to 1.
+// Lines where a distance is a multiple of 0.1; the line at 0 is thicker. Returns the share of the
+// pixel that the lines cover, from 0 to 1.
 float levels(float distance, float pixel)
 {
     float nearest = 0.1 * floor(10.0 * distance + 0.5);
@@ -58,7 +58,8 @@ vec3 rayColour(Ray ray)
     colour = mix(colour, vec3(0.80, 0.10, 0.12), 0.85 * clamp(4.0 * abs(drawn - asked), 0.0, 1.0));
     colour = mix(colour, vec3(1.0), 0.9 * levels(drawn, pixel));
     colour = mix(colour, INK, 0.85 * levels(asked, pixel));
-    // Left of the axis: the plane of the figure, with a dashed line for the part that is not drawn.
+    // Left of the axis: the plane of the figure, with a dashed line for the part of the circle that
+    // is not revolved.
     float whole = sdCircle(p - vec2(centre, 0.0), 1.0);
     float angle = atan(p.y, p.x - centre + float(p == vec2(centre, 0.0)));
     float dash = fract(16.0 * angle / 3.14159265) < 0.6 ? line(whole / pixel, 2.0) : 0.0;

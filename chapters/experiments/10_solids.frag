@@ -1,5 +1,5 @@
-// Experiment of chapter 10: figures of the plane, extruded along a line or revolved about an axis:
-// cut stone and turned clay in the light of a low lamp.
+// Experiment of chapter 10: figures of the plane, extruded along a line or revolved about an axis.
+// They become cut stone and turned clay in the light of a low lamp.
 #include "main.glsl"
 #include "camera.glsl"     // perspectiveRay
 #include "cone.glsl"       // marchCone, coneReaching, pixelSpread
@@ -19,7 +19,7 @@ const float FAR = 24.0;
 const vec3  LAMP = vec3(-9.2, 4.9, 6.9);              // position of the lamp
 const vec3  LAMP_COLOUR = vec3(1.30, 1.15, 0.93);     // light of the lamp at the distance REFERENCE, linear RGB
 const float REFERENCE = 11.2;                         // scene units
-const vec3  FILL_COLOUR = vec3(0.10, 0.13, 0.20);     // bluish light from the other side
+const vec3  FILL_COLOUR = vec3(0.10, 0.13, 0.20);     // bluish ambient light, stronger from above
 const vec3  PAPER = vec3(0.84, 0.79, 0.70);
 const vec3  STONE = vec3(0.74, 0.72, 0.68);
 const vec3  CLAY = vec3(0.60, 0.14, 0.035);
@@ -35,9 +35,9 @@ Ray pixelRay(vec2 screen)
 
 // ---- Figures of the plane ----
 
-// A rose window: a disc with eight lights, eight round eyes and a hole in the centre cut out. It is
-// symmetric about eight mirrors. After the folds along these mirrors, only one light and one eye
-// remain.
+// A rose window: a disc with eight lights (large openings), eight round eyes and a hole in the
+// centre cut out. It is symmetric about eight mirrors. After the folds along these mirrors, only
+// one light and one eye remain.
 float roseFigure(vec2 q)
 {
     q = abs(q);
@@ -57,8 +57,8 @@ float arcTowards(vec2 q, vec2 centre, float degrees, float radius, float halfDeg
     return sdArc(vec2(m.y * d.x - m.x * d.y, dot(m, d)), radius, radians(halfDegrees));
 }
 
-// Half a vase: foot, belly, shoulder and neck are arcs that join smoothly, and the base is a
-// segment. The wall is a stroke along these five lines.
+// Half of the vase's cross-section: foot, belly, shoulder and neck are arcs that join smoothly, and
+// the base is a segment. The wall is a stroke along these five lines.
 float vaseFigure(vec2 q)
 {
     float foot = arcTowards(q, vec2(0.3543, 0.17), 186.885, 0.16, 50.655);
@@ -117,8 +117,8 @@ vec3 colourAt(vec3 p)
     return paper < min(clay, stone) ? PAPER : (clay < stone ? painted : STONE);
 }
 
-// The light of the lamp, tested with a cone as wide as the lamp, and the ambient light, which is
-// weaker where objects are close together.
+// The light of the lamp, whose visibility is estimated with a cone as wide as the lamp, and the
+// ambient light, which is weaker where objects are close together.
 vec3 lightAt(vec3 p, vec3 normal)
 {
     vec3 toLamp = LAMP - p;

@@ -1,6 +1,6 @@
 // Experiment of chapter 10: a figure is extruded, and turns and shrinks with increasing height. The
-// function looks like an extrusion but is not a distance: it can change by more than the point
-// moves.
+// function looks like that of an extrusion but is not a distance: its value can change by more than
+// the point moves.
 #include "main.glsl"
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
@@ -25,15 +25,15 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// A cross of two bars with round ends. The distance is exact outside.
+// A cross of two bars with rounded corners. The distance is exact outside.
 float figure(vec2 q)
 {
     float bars = min(sdRectangle(q, vec2(0.50, 0.05)), sdRectangle(q, vec2(0.05, 0.50)));
     return opRound(bars, 0.11);
 }
 
-// The figure at the height of p, scaled and turned as at this height. The function is zero on the
-// wall, but it is not a distance.
+// The distance in the plane to the figure as it is turned and scaled at the height of p. The
+// function is zero on the wall, but it is not a distance to the wall.
 float wallFunction(vec3 p)
 {
     float y = clamp(p.y, 0.0, HEIGHT), size = 1.0 - taper * y, c = cos(twist * y), s = sin(twist * y);

@@ -3,9 +3,9 @@
 //
 //   way=0  the pattern is evaluated only at the centre of the pixel
 //   way=1  the chapter's method: the footprint from the ray, the normal and t
-//   way=2  the workshop's method: the footprint from fwidth, the difference of neighbouring pixels.
-//          Where one of two neighbours shows a ball and the other the plane, the footprint is
-//          undefined and wrong, as the outlines show
+//   way=2  the workshop's method: the footprint from fwidth, the difference between neighbouring
+//          pixels. Where one of two neighbours shows a ball and the other the plane, this
+//          difference is no footprint, as the outlines of the balls show
 //
 // Apart from the figures, only this shader and 20_seam.frag use derivatives across pixels.
 #include "main.glsl"

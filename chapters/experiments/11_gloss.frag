@@ -1,7 +1,7 @@
 // Experiment of chapter 11: two rows of seven balls, from smooth to rough. The upper row uses GGX,
-// and the lower row uses Blinn and Phong's highlight with the exponent that corresponds to the same
-// roughness. The tiny mirrors reflect all light that they receive, and nothing enters the balls:
-// light that is missing was lost between the tiny mirrors.
+// and the lower row uses the Blinn-Phong highlight with the exponent that corresponds to the same
+// roughness. Both models treat a surface as many tiny mirrors. The mirrors reflect all the light
+// that they receive, and nothing enters the balls: any light that is missing is lost by the model.
 #include "main.glsl"
 #include "cone.glsl"
 #include "normal.glsl"

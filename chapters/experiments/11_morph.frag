@@ -1,8 +1,9 @@
 // Experiment of chapter 11: a square that changes into a disc. The picture is a diagram, in the
-// plane, of (1 - share) square + share disc. Dark lines connect points of equal value, and are 0.25
-// apart. Red shows by how much the slope is less than 1, and is strongest where the slope is at
-// most one half. Where the picture is red, the value is not a distance, because a distance has
-// slope 1 wherever it has a slope. The slope is never more than 1.
+// plane, of (1 - share) square + share disc, where square and disc are the two distances. Dark
+// lines connect points where this value is the same multiple of 0.25. Red shows by how much the
+// slope is less than 1, and is strongest where the slope is at most one half. Where the picture is
+// red, the value is not a distance, because a distance has slope 1 wherever it has a slope. The
+// slope is never more than 1.
 #include "main.glsl"
 #include "camera.glsl"
 #include "primitives.glsl"
@@ -28,8 +29,8 @@ float slopeAt(vec3 p, float h)
     return length(slope) / (2.0 * h);
 }
 
-// Lines at multiples of 0.25 of a value; the line at 0 is thicker. Returns the share of the pixel
-// that they cover, from 0 to 1.
+// Lines where a value is a multiple of 0.25; the line at 0 is thicker. Returns the share of the
+// pixel that the lines cover, from 0 to 1.
 float levels(float value, float pixel)
 {
     float nearest = 0.25 * floor(4.0 * value + 0.5);

@@ -3,8 +3,9 @@
 // the right, 0.1 above.
 //
 //   way=0  records, mixed in the shares of the smooth union
-//   way=1  the workshop's numbers, mixed with the weight clamp(a - d, 0, 1), which is blend / 6
-//          where it should be 1 / 2; a colour is then computed from the number
+//   way=1  the workshop's numbers, mixed with the weight clamp(a - d, 0, 1), where a is the
+//          distance to the first of two parts and d the distance to their blend; this weight is
+//          blend / 6 where it should be 1 / 2; a colour is then computed from the number
 //   way=2  numbers, mixed in the right shares, then looked up in a table: between 2 and 5 are 3 and
 //          4, which are other materials
 #include "main.glsl"
@@ -67,7 +68,8 @@ float numberAt(vec3 ball)
     return opBlend(lower, vec2(ball.z, 0.1), weightOf(lower.x, ball.z)).y;
 }
 
-// Six materials in a row, with the numbers 0 to 5. The numbers of the balls are 2, 5 and 0.
+// Six materials in a row, with the numbers 0 to 5. A number is rounded: those of the balls become
+// 2, 5 and 0.
 Material tableAt(float number)
 {
     int n = int(floor(number + 0.5));

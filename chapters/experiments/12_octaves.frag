@@ -1,6 +1,6 @@
 // Experiment of chapter 12: a stone cut from a block. Its colour is the sum of four octaves of a
-// volume, with the weights of the workshop: 0.5, 0.25, 0.125 and 0.0625 add up to 0.9375, so the
-// stone is too dark by a sixteenth. Switch on the parameter `divided` to correct the colour.
+// volume texture, with the weights of the workshop: 0.5, 0.25, 0.125 and 0.0625 add up to 0.9375,
+// so the stone is too dark by a sixteenth. Switch on the parameter `divided` to correct the colour.
 #include "main.glsl"
 #include "texture.glsl"
 

@@ -1,6 +1,6 @@
 // Experiment of chapter 12: the threads of the cloth appear raised. Their heights are in a second
-// picture, made by the program that made the colours of the cloth. The slope of this picture tilts
-// the normal, but the shape does not change.
+// picture, computed from the same weave as the colours of the cloth. The slope of these heights
+// tilts the normal, but the shape does not change.
 #include "main.glsl"
 #include "texture.glsl"
 

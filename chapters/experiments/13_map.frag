@@ -24,7 +24,8 @@ Ray pixelRay(vec2 screen)
     return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0));
 }
 
-// The distance to the object and to the floor, which is slightly below the shaded point.
+// The distance to the object or the floor, whichever is nearer. The floor is slightly below the
+// shaded point.
 float sceneDistance(vec3 p)
 {
     vec3 q = p - height * UP;
@@ -34,8 +35,8 @@ float sceneDistance(vec3 p)
     return min(distance, p.y + 0.002);
 }
 
-// The visible share of the lamp at a point on the floor: beside one edge, beside a ball, or on both
-// sides of a bar with two edges.
+// The share of the lamp that is visible from a point on the floor, past one edge, past a ball, or
+// past both edges of a bar.
 //   x  position relative to the edge or the centre, scene units
 float truth(float x)
 {

@@ -1,9 +1,9 @@
-// Experiment of chapter 13: soft shadows as in the workshop's listing. It draws one random number per pixel, not one
-// per ray, so that all its rays are the same; it shifts the ray only along the diagonal (1, 1, 1); it does not
-// normalise the direction; and it darkens all the light. The parameters correct all of these mistakes except the shift
-// along the diagonal.
+// Experiment of chapter 13: soft shadows as in the workshop's listing. The listing draws one random number per pixel,
+// not one per ray, so that all rays of a pixel are the same; it shifts the ray only along the diagonal (1, 1, 1); it
+// does not normalise the direction; and it darkens all the light. The parameters correct all of these mistakes except
+// the shift along the diagonal.
 //
-// The workshop's number comes from a sine, which differs from driver to driver. Here it comes from pixelRandom.
+// The workshop's random number comes from a sine, which differs from driver to driver. Here it comes from pixelRandom.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"

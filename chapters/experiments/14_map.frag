@@ -45,7 +45,9 @@ float sceneDistance(vec3 p)
 float truth(float x)
 {
     float left = openBeforeWall(HALF_GROOVE + x, size), right = openBeforeWall(HALF_GROOVE - x, size);
-    float bar = 1.0 - BAR * size / (x * x + size * size); // cosine of the bar's angle times the sine of half its width
+    // The share that the bar hides is the cosine of the angle between UP and the direction to the
+    // bar, times the sine of half the angle that the bar subtends.
+    float bar = 1.0 - BAR * size / (x * x + size * size);
     float ball = 1.0 - hiddenByBall(vec3(x, 0.0, 0.0), UP, size * UP, size);
     return thing == 0 ? openBeforeWall(x, size) : (thing == 1 ? left + right - 1.0 : (thing == 2 ? bar : ball));
 }

@@ -1,6 +1,6 @@
-// Experiment of chapter 15: a night sky, in which each band of equal values is wider than a hand on
-// the screen. Its colours are rounded to 255 steps here, with or without the dither, and then made
-// brighter, so that the steps are visible.
+// Experiment of chapter 15: a night sky, in which each band of equal values covers about a twelfth
+// of the picture's height. The colours of the sky are rounded to 255 steps here, with or without
+// the dither, and then made brighter, so that the steps are visible.
 #include "main.glsl"
 #include "film.glsl"
 #include "lighting.glsl"

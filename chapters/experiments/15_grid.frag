@@ -1,7 +1,7 @@
-// Experiment of chapter 15: the loop of the workshop's anti-aliasing, in the shader: the mean of n
-// x n rays per pixel. Their positions are (i, j) / n from the pixel's centre, so the picture is
-// shifted; and the mean is that of encoded values. The parameters `centred` and `asLight` correct
-// these mistakes.
+// Experiment of chapter 15: the workshop's anti-aliasing, a loop in the shader that takes the mean
+// of n x n rays per pixel. Their positions are (i, j) / n from the pixel's centre, so the picture
+// is shifted; and the mean is that of encoded values. The parameters `centred` and `asLight`
+// correct these mistakes.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "15_the_picture.frag"

@@ -1,8 +1,8 @@
-// Experiment of chapter 16: bounding volumes inside the distance. Far from a box the distance to
-// the box is enough, and its contents need not be evaluated: an if skips them for each group.
+// Experiment of chapter 16: bounding volumes inside the distance function. Far from the box around
+// a group of objects, the distance to the box is enough, and an if skips the group's contents.
 //
 // The picture is the same as the chapter's. Whether it is drawn faster depends on the machine; to
-// measure this, run build/tests/measure speed.
+// measure this, run build/tests/measure speed with the chapter's file and this one.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "16_fewer_steps.frag"

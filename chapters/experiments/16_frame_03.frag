@@ -29,8 +29,8 @@ float largest(vec3 q)
 }
 
 // The scene of chapter 03 without the stage. The frame is the union of three boxes, and the block
-// is a single box. Of the four distances outside, the smallest has the smallest square, so one root
-// is enough; inside, depths need no root.
+// is a single box. Outside these four boxes, the smallest distance has the smallest square, so one
+// root is enough; inside, depths need no root.
 float sceneDistance(vec3 p)
 {
     vec3 q = p - FRAME, outer = abs(q) - 0.8, inner = abs(outer + 0.07) - 0.07;
@@ -52,8 +52,8 @@ vec2 inBox(vec3 origin, vec3 inverse, vec3 centre, vec3 halfSize)
     return vec2(max(0.0, max(entry.x, max(entry.y, entry.z))), min(leave.x, min(leave.y, leave.z)));
 }
 
-// The interval in which a ray is inside one of three boxes: one for the frame with both balls on
-// its axis, one for the ball beside it, and one for the block.
+// The smallest interval that contains all points of a ray inside three boxes: one for the frame
+// with both balls on its axis, one for the ball beside the frame, and one for the block.
 vec2 groupsInterval(vec3 origin, vec3 inverse)
 {
     vec2 frame = inBox(origin, inverse, vec3(0.4, 1.165, -0.5), vec3(0.8, 1.165, 0.8) + MARGIN);
@@ -62,8 +62,8 @@ vec2 groupsInterval(vec3 origin, vec3 inverse)
     return intervalUnion(frame, intervalUnion(ball, block));
 }
 
-// The result of central differences with the step h on the face of a box, in closed form: near an
-// edge, both of its faces contribute.
+// The normal of the stage: the result of central differences with the step h, in closed form. Near
+// an edge, both faces that meet there contribute.
 vec3 stageNormal(vec3 p, float h)
 {
     vec3 q = p - STAGE, outside = abs(q) - STAGE_HALF - MET_BEFORE * hitThreshold;

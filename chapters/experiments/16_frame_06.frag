@@ -2,8 +2,9 @@
 // pyramid, only the slab is evaluated. The normal comes from both distances only if the ray has
 // ended where both were evaluated, and shadow rays evaluate only the pyramid.
 //
-// Each march takes the same steps as in chapter 06, so each ray ends at the same point. The
-// coarse pass is not used, because it gains nothing in this scene.
+// Up to the end of the pyramid's bounds, a march takes the same steps as in chapter 06. Beyond the
+// bounds, its steps may be longer, but nearly all rays end at the same point. The coarse pass is
+// not used, because it gains nothing in this scene.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #define rayColour chapterRayColour
@@ -37,7 +38,7 @@ vec2 inSlab(Ray ray)
 // pyramid and the slab, and after that only the distance to the slab.
 struct End {
     float t;
-    bool met, near; // whether the ray hit something; whether it did so where both were evaluated
+    bool met, near; // whether the ray hit something; whether it did so where both distances were evaluated
 };
 
 End endOf(Ray ray, float spread)
@@ -72,7 +73,7 @@ End endOf(Ray ray, float spread)
 
 // The normal from both distances. The pyramid is well inside the slab's outline, so near the pyramid the distance to
 // the slab is the height.
-//   asked  if false, the loop ends at once
+//   asked  if false, the loop ends at once, and the result is undefined
 vec3 bothNormal(vec3 p, float h, bool asked)
 {
     vec3 gradient = vec3(0.0);

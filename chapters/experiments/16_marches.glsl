@@ -2,9 +2,9 @@
 // chapter chooses the march with, for example, #define MARCH ENHANCED. All other marches of the pixel find nothing and
 // cost nothing.
 //
-// All but CONE and TIGHT end where the distance is less than the chapter's threshold, and ignore the growth of
-// the threshold along the ray, so that they end equally close to the surface. Each march assumes a lower bound of
-// the distance. docs/benchmark.md compares them.
+// All but CONE and TIGHT end where the distance is less than the chapter's threshold, and ignore the growth of the
+// threshold along the ray, so that they end equally close to the surface. Each march assumes a lower bound of the
+// distance. docs/benchmark.md compares the marches.
 #include "cone.glsl"    // march, marchCone, pixelSpread
 #include "relaxed.glsl" // marchRelaxed, which some chapters call
 #include "coarse.glsl"  // coarseStart
@@ -29,7 +29,7 @@ uniform bool numbers; // false: show evaluations, depth and hit of the first mar
 // An upper bound of how fast the scene's distance can fall along a segment of a ray: the largest -d'(t), per scene
 // unit, at most 1. A scene that has a better bound than 1 defines FALL_KNOWN and this function.
 //   p, v    start and direction of the segment
-//   reach   its length, scene units, > 0
+//   reach   length of the segment, scene units, > 0
 float fallAlong(vec3 p, vec3 v, float reach);
 
 #ifndef FALL_KNOWN
@@ -52,7 +52,7 @@ Hit marchEnded(bool found, float t, float tMax, int steps)
 //   formula  t + omega d, 1 <= omega < 2. If the balls around the two points do not touch, the march goes back to
 //            the end of the first ball, and omega = 1 from then on
 //   bound    at most n + 1 evaluations where the plain march takes n, for a 1-Lipschitz distance
-//   safe     for all lower bounds. The balls of marchRelaxed have to overlap; these may just touch
+//   safe     for all lower bounds. The balls may just touch, whereas marchRelaxed requires them to overlap
 // Source: B. Keinert and others, 'Enhanced sphere tracing', STAG 2014.
 Hit marchKeinert(Ray ray, float tMin, float tMax, float threshold, float omega, int maxSteps)
 {
@@ -76,14 +76,14 @@ Hit marchKeinert(Ray ray, float tMin, float tMax, float threshold, float omega, 
 }
 
 // ENHANCED: the step that would be right if the surface were a plane.
-//   formula  the last two points that counted give the slope s = (d' - d) / (t - t'). If the slope stays the same, the
-//            balls around t and the next point touch after a step of d + d (1 - s) / (1 + s); the second term is
-//            multiplied by omega, 0 <= omega <= 1. The march goes back, as RELAXED does, if the balls do not touch,
-//            but the next step is relaxed again
+//   formula  the last two points that were not rejected, t' and t, give the slope s = (d' - d) / (t - t'). If the
+//            slope stays the same, the balls around t and the next point touch after a step of
+//            d + d (1 - s) / (1 + s); the second term is multiplied by omega, 0 <= omega <= 1. If the balls do not
+//            touch, the march rejects the point and goes back, as RELAXED does, but the next step is relaxed again
 //   bound    at most 2 n - 2 evaluations where the plain march takes n >= 2, for a 1-Lipschitz distance
 //   safe     for all lower bounds
 // Source: C. Balint, G. Valasek, 'Accelerating sphere tracing', Eurographics 2018. The clamp on s is not in the source:
-// at s = -1, moving straight away, the step would be infinite.
+// at s = -1, where the ray moves straight away from the surface, the step would be infinite.
 Hit marchEnhanced(Ray ray, float tMin, float tMax, float threshold, float omega, int maxSteps)
 {
     traceBegin(tMin, tMax);

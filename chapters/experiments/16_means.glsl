@@ -1,6 +1,6 @@
 // The methods of chapter 16 in the march of an earlier chapter. In a file that includes this one
-// before the chapter, all marches are relaxed, and the first one begins where the coarse pass
-// ended.
+// before the chapter, the chapter's own calls of march and marchCone become relaxed marches, and
+// the first march of a pixel begins where the coarse pass ended.
 //
 // Shadow rays of shadow.glsl and cone.glsl remain as they are. The including file defines
 // coarseMargin.

@@ -2,7 +2,8 @@
 // and their reflection in the polished slab.
 //
 // The two rays of a pixel, the ray from the eye and the reflected ray, share one loop: on a machine
-// whose pixels run in lockstep, a block of pixels can leave a loop early, but it cannot skip an if.
+// whose pixels run in lockstep, a block of pixels can leave a loop early, but it has to run the
+// body of every if.
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march

@@ -2,7 +2,7 @@
 // hour, and reflections of all this in the windows.
 //
 // The hour, the sky and the exposure are those of chapter 09, two of whose functions are renamed. As in
-// 16_report_boxes, the ray from the eye and the reflected ray share one loop.
+// 16_report_boxes.frag, the ray from the eye and the reflected ray share one loop.
 #include "main.glsl"
 #define sceneDistance chapterSceneDistance
 #define rayColour chapterRayColour
@@ -38,7 +38,7 @@ const int   STEPS = 400;                           // steps after which a ray is
 // A point in the coordinates of its plot.
 struct Plot {
     vec2  local;  // from the centre of the plot: x and z
-    vec2  aside;  // their absolute values: perpendicular to the nearest wall, and along it
+    vec2  aside;  // the absolute values of local: perpendicular to the nearest wall, and along the wall
     float floors; // number of floors of the tower; 0 on a road or in a park
 };
 
@@ -99,7 +99,7 @@ struct Spot {
     bool  met, ground, post;  // on a tower if met and neither ground nor post
 };
 
-// The t at which a ray ends: there are objects only between the ground and the highest roof.
+// The t at which a march ends at the latest: there are objects only between the ground and the highest roof.
 float cityEnd(Ray ray, float far)
 {
     vec2 crossing = (vec2(0.0, HIGHEST) - ray.origin.y) / ray.direction.y;

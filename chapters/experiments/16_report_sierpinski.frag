@@ -1,5 +1,5 @@
-// The report's figure 10, redrawn: Sierpinski's pyramid in a parallel view, with its light and its
-// shadow.
+// The report's figure 10, redrawn: Sierpinski's pyramid in a parallel view, with the light and the
+// shadow of the figure.
 //
 // The pyramid stands on an edge, as in the formula for its distance; its corners are (1, 1, 1), (1,
 // -1, -1), (-1, 1, -1) and (-1, -1, 1).
@@ -17,7 +17,7 @@ uniform float footprint;    // 1 in [0, 4] step 0.25, half pixels: smaller dista
 uniform int   maxSteps;     // 128 in [1, 1024]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
-const float HALF_HEIGHT = 1.567;                  // half the picture's height; half the cube's side is 1
+const float HALF_HEIGHT = 1.567;                  // half the picture's height; the pyramid fits in a cube of side 2
 const float FAR = 8.0;                            // a ray that has travelled this far meets the sky
 const float MARGIN = 0.02;                        // how much larger the bound is than the pyramid
 const vec3  TO_SUN = vec3(0.447, 0.866, -0.224);  // length 1
@@ -44,7 +44,7 @@ vec2 pyramidInterval(Ray ray)
 }
 
 // How open a point is to the sky, at most 1: each of the first four levels darkens the point in
-// proportion to the depth of the point in the tetrahedron, as in chapter 06.
+// proportion to the depth of the point in that level's tetrahedron, as in chapter 06.
 float openness(vec3 p)
 {
     vec3 q = p - 1.0;

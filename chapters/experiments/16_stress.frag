@@ -49,7 +49,8 @@ float sceneDistance(vec3 p)
     return nearest;
 }
 
-// How fast the distance to a box falls at p. The box is convex, so the distance never falls faster later on the ray.
+// How fast the distance to a box falls at p in the direction v. The box is convex, so the distance never falls faster
+// later on the ray.
 float boxFall(vec3 p, vec3 v, vec3 halfSize)
 {
     vec3 beyond = abs(p) - halfSize, out3 = max(beyond, 0.0);

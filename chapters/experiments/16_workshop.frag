@@ -1,6 +1,6 @@
 // Experiment of chapter 16: the workshop's castRay in its second form, with the 64 steps of the
-// first. When the steps run out, castRay reports a hit, even where nothing was found; and the
-// number of steps is divided as an integer.
+// first. When the steps run out, castRay reports a hit, even where nothing was found; and it
+// divides the number of steps as an integer.
 //
 // The chapter's rayColour is renamed; everything else is as in the chapter.
 #include "main.glsl"

@@ -1,5 +1,6 @@
 // Experiment of chapter 17: a ball glued together from two halves that touch. The union of their
-// distances is 0 where they meet, so the march inside finds a surface there that does not exist.
+// distances is 0 where the halves meet, so the march inside finds a surface there that does not
+// exist.
 //
 // The chapter's sceneDistance is renamed; everything else is as in the chapter.
 #include "main.glsl"

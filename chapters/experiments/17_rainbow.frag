@@ -1,8 +1,9 @@
 // Experiment of chapter 17: a rainbow, from the paths through one drop. The sun is behind the eye.
 //
-// A ray that meets a drop at the distance b from the drop's axis, in radii, is reflected once or
-// twice inside and leaves at an angle to the sun's rays. Rings of b send their light to rings of
-// the sky, and where the angle reaches its limit, the light is concentrated.
+// A ray meets a drop at a distance of b radii from the line through the drop's centre and the sun.
+// It is reflected once or twice inside and leaves at an angle to the sun's rays. The rays between
+// two values of b light a ring of the sky, and where the angle reaches its limit, their light is
+// concentrated.
 #include "main.glsl"
 #include "camera.glsl"
 #include "coverage.glsl"
@@ -27,15 +28,16 @@ float sceneDistance(vec3 p)
     return p.y;
 }
 
-// An angle is given by its cosine and sine, so that nothing depends on how exact a driver's asin and
-// acos are. The product of two such pairs gives the sum of their angles.
+// The sum of two angles. An angle is given by its cosine and sine, so that nothing depends on how
+// exact a driver's asin and acos are; the product of two such pairs, as complex numbers, has the
+// sum of their angles.
 vec2 turned(vec2 a, vec2 b)
 {
     return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
 
-// The sine of a minus b, which is about the difference in radians if the difference is small, and 1
-// or -1 beyond a quarter turn. Both angles are from 0 to half a turn.
+// The sine of the angle a - b, which is about a - b in radians if this is small; beyond a quarter
+// turn, 1 or -1. Both angles are from 0 to half a turn.
 float apart(vec2 a, vec2 b)
 {
     vec2 difference = turned(a, vec2(b.x, -b.y));
@@ -51,6 +53,7 @@ float bowLight(vec2 angle, float index, int mirrored)
     for (int k = 0; k <= RINGS; k++) {
         float b = sin(1.5707 * float(k) / float(RINGS)), c = b / index;
         vec2 outside = vec2(sqrt(1.0 - b * b), b), inside = vec2(sqrt(1.0 - c * c), c);
+        // The angle to the normal is i outside the drop and j inside.
         vec2 less = turned(inside, vec2(outside.x, -outside.y)), twice = turned(inside, inside); // j - i, 2 j
         vec2 once = turned(turned(less, less), twice); // 4 j - 2 i
         // The angle from the point opposite the sun at which the ray leaves.

@@ -5,8 +5,8 @@ uniform int  way;      // 0 in [0, 3]: method: 0 the chapter's, 1 the article's 
 uniform bool encoded;  // false: mix the article's two colours as encoded numbers
 uniform bool painted;  // false: make the article's second table a painter's, which differs from the first at the zenith too
 
-// The light in a direction according to a table of complete colours, which stores the light along the middle of each
-// half of the sky.
+// The light in a direction according to a table of complete colours, which stores only the light along the middle of
+// the table's half of the sky.
 //   level  1 for the half that contains the sun, -1 for the other
 vec3 halfColour(sampler2D table, vec3 direction, vec3 sun, float level)
 {

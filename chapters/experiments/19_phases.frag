@@ -1,4 +1,4 @@
-// Experiment of chapter 19: ten phases of the moon side by side, each exposed to the same
+// Experiment of chapter 19: ten phases of the moon in two rows, each exposed to the same
 // brightness.
 #include "main.glsl"
 #include "lighting.glsl"

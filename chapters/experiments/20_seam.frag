@@ -1,8 +1,8 @@
 // Experiment of chapter 20: a fault caused by the hardware's footprint, a line where the panorama
 // begins and ends.
 //
-// Two neighbouring pixels there differ by a whole turn in u. The hardware takes this for the size
-// of the pixel and reads the last level, which is the mean of the whole panorama.
+// Two neighbouring pixels there differ by a whole turn in u. The hardware takes this difference for
+// the size of the pixel and reads the last mip level, which is the mean of the whole panorama.
 
 #include "main.glsl"
 #include "clouds.glsl"

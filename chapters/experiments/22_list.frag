@@ -36,7 +36,7 @@ bool onList(int id, Cell cell)
 //   width  of the line, scene units
 float edgeAt(vec3 p, Cell cell, float width)
 {
-    vec3 q = 0.5 * cell.size - abs(p - cell.low - 0.5 * cell.size); // distances from the faces
+    vec3 q = 0.5 * cell.size - abs(p - cell.low - 0.5 * cell.size); // distances to the faces
     float second = max(min(q.x, q.y), min(max(q.x, q.y), q.z)); // the median: the smallest is 0
     return 1.0 - smoothstep(width, 2.0 * width, second);
 }

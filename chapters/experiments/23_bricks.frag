@@ -7,7 +7,7 @@
 uniform float nearby; // 4 in [3.5, 16] step 0.5, cells: distance from corner to surface below which a brick is kept
 
 const int BRICK = 3; // cells along each side of a brick
-bool marching = true; // true for the ray from the eye, which needs safe steps; light needs the distance
+bool marching = true; // true for the ray from the eye, which needs safe steps; the light needs the distance
 
 // The smallest absolute value at the corners of a cell.
 float smallestCorner(StoredCell cell)

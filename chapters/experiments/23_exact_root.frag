@@ -25,14 +25,14 @@ Hit marchToRoot(Ray ray, float tMin, float tMax, float threshold, float spread, 
 #include "23_stored_distances.frag"
 #undef marchCone
 
-// The interpolation along a ray: a cubic in the path t from the point of the cell, measured in cells.
+// The interpolation along a ray: a cubic in t, the path from the position cell.share, measured in cells.
 //   along    direction of length 1 in the elephant's coordinates
 //   formula  each of the three interpolations of trilinear multiplies by a linear function of t
 //   returns  the coefficients of 1, t, t^2 and t^3, scene units
 vec4 cubicAlong(StoredCell cell, vec3 along)
 {
     vec3 s = cell.share;
-    vec4 a = mix(cell.near, cell.far, s.z), b = along.z * (cell.far - cell.near); // a + b t: four lines along x
+    vec4 a = mix(cell.near, cell.far, s.z), b = along.z * (cell.far - cell.near); // a + b t: on the four edges along z
     vec2 da = a.zw - a.xy, db = b.zw - b.xy;
     vec2 c0 = a.xy + s.y * da, c1 = b.xy + s.y * db + along.y * da, c2 = along.y * db; // two quadratics
     vec3 low = vec3(c0.x, c1.x, c2.x), rise = vec3(c0.y, c1.y, c2.y) - low;

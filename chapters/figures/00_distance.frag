@@ -1,4 +1,4 @@
-// The distance to two discs: drag the point and the discs. The number is the distance to the nearer disc; no solid
+// The distance to two discs: drag the point and the discs. The number is the distance to the nearer disc; no disc
 // reaches into the blue circle of this radius. Rings join points of equal distance. Inside a disc the distance is
 // negative.
 #include "figure.glsl"

@@ -1,6 +1,7 @@
 // The mean of two lights: drag the two dots along the curve, which shows the screen's value (vertical) for each amount
-// of light (horizontal). The top grey on the right is the encoded mean (green). Seen from afar, the stripes of the two
-// lights look like this grey. The lowest grey is the mean of the encoded values (orange), which is too dark.
+// of light (horizontal). The top grey on the right is the encoded mean (the green dot). Seen from afar, the stripes of
+// the two lights look like this grey. The lowest grey is the mean of the encoded values (the orange dot), which is too
+// dark.
 #include "figure.glsl"
 #include "lighting.glsl"
 

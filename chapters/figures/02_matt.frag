@@ -1,6 +1,6 @@
 // Why a matt surface looks the same from all sides: drag the eye. The patch sends less flux at a grazing angle, as the
-// orange arrow shows, which ends on the lobe. Seen from the eye, the patch is also narrower, as the blue bar shows. The
-// ratio of the two numbers, at the top left, is the radiance, which does not change.
+// orange arrow shows, which ends on the sand-coloured disc. Seen from the eye, the patch is also narrower, as the blue
+// bar shows. The ratio of the two numbers, at the top left, is the radiance, which does not change.
 #include "figure.glsl"
 #include "lighting.glsl"
 

@@ -1,7 +1,7 @@
 // Shadow acne: lower the offset, and drag the eye. Above, rays from the eye meet the floor; where the floor is dark,
 // the shadow ray would start as a hit. Below is an enlarged graph of the height above the floor at which the shadow ray
-// starts; within the orange band, this height is less than the threshold. It is never below the dashed line, a lower
-// bound that follows from the angle of the ray.
+// starts; between the graph's two orange lines, this height is less than the threshold. The height is never below the
+// dashed line, a lower bound that follows from the angle of the ray.
 #include "figure.glsl"
 #include "march.glsl"
 

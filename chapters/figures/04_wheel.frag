@@ -1,6 +1,7 @@
-// Twelve solids for the price of two: drag the point. Three folds bring it into the wedge between the mirrors at 0 and
-// 30 degrees, where only a ball and a die are evaluated. At the top left is the distance from the point to the nearest
-// of all twelve solids; below it is the distance from the folded point to the nearer of the two.
+// Twelve solids for the price of two: drag the point. Four folds, the first two of which share an arrow, bring the
+// point into the wedge between the mirrors at 0 and 30 degrees, where only a ball and a die are evaluated. At the top
+// left is the distance from the point to the nearest of all twelve solids; below it is the distance from the folded
+// point to the nearer of the two.
 #include "figure.glsl"
 #include "hue.glsl"
 #include "lighting.glsl"

@@ -9,7 +9,7 @@ uniform vec2  point; // (0.42, -0.3) handle: where the formula is evaluated
 uniform float rate;  // 0.9 in [-1, 1] step 0.1, radians per unit: how much the plank is bent
 
 const vec2  CENTRE = vec2(0.0, 0.35); // centre of the plank
-const float RADIUS = 1.2;             // radius of the cylinder around the centre in which the bound is valid
+const float RADIUS = 1.2;             // radius of the cylinder around the centre in which the stretch is bounded
 
 float sceneDistance(vec3 p)
 {

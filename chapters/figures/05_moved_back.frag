@@ -24,7 +24,7 @@ vec2 turnedBack(vec2 q, vec2 direction)
     return vec2(dot(q, direction), dot(q, vec2(-direction.y, direction.x)));
 }
 
-// Draw one half of the sheet: the axes, a plank given by its distance, and a point with a circle whose radius is empty.
+// Draw one half of the sheet: the axes, a plank given by its distance, and a point with a circle of the radius `empty`.
 void half2(vec2 p, vec2 origin, float plankDistance, vec2 at, float empty)
 {
     arrow(p, origin - vec2(0.35, 0.0), origin + vec2(0.78, 0.0), 1.2, PALE);

@@ -1,6 +1,7 @@
 // The largest stretch of a linear map: drag the tips of the two black arrows, the images of the unit vectors along x
-// and y. The map takes the circle to the ellipse. The vector that is stretched most is mapped to the longest radius of
-// the ellipse, the green line. The number at the end of this line is its length, the largest singular value.
+// and y. The map takes the unit circle to the ellipse. The vector that is stretched most is mapped to the longest
+// radius of the ellipse, half of the green line. The number at the end of this line is the length of the radius, the
+// largest singular value.
 #include "figure.glsl"
 #include "transform.glsl"
 

@@ -10,8 +10,8 @@ uniform bool exactLines; // false: draw the lines of the exact distance
 
 const float SIZE = 0.36; // size of the tetrahedron, as in symmetry.glsl
 
-// The point in space that corresponds to a point of the cut. The lower corners of the triangle are corners of the
-// tetrahedron, and its lower side is an edge; its upper corner is the middle of the opposite edge.
+// The point in space that corresponds to a point of the cut. The cut is a triangle: its lower corners are corners of
+// the tetrahedron, its lower side is an edge, and its upper corner is the middle of the opposite edge.
 vec3 inSpace(vec2 p)
 {
     p.y -= 0.1;

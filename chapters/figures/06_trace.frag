@@ -1,6 +1,7 @@
 // A point is followed through the folds: drag it, and raise the number of levels. Each level has two folds, along the
-// dashed mirrors, and the arrows show how each fold moves the point. The distance is measured to the dark triangle
-// only. Its value is at the top left and is the radius of both circles: the circle around the original point is empty.
+// dashed mirrors, and the arrows show how each fold moves the point. The distance is measured only to the triangle that
+// is filled with orange. Its value is at the top left and is the radius of both circles: the circle around the original
+// point is empty.
 #include "figure.glsl"
 #include "symmetry.glsl"
 
@@ -23,7 +24,7 @@ float upperDistance(vec2 q, float size)
     return sdTriangle(q, vec2(0.0), size * vec2(-1.0, -1.7320508), size * vec2(1.0, -1.7320508));
 }
 
-// The distance to all triangles of the last level.
+// The distance to the nearest triangle of the last level.
 float sceneDistance(vec3 p)
 {
     vec3 q = p;

@@ -1,7 +1,7 @@
 // Copies that differ: drag the point. The radius of the blue circle is the distance to the copy in the point's cell;
 // this circle may reach into a neighbouring copy. The radius of the green circle is capped, so this circle stays empty:
-// no copy leaves its pale square, whose half width is the reach R. Below are both distances along the dashed line, at
-// twice the scale.
+// no copy leaves its pale square, whose half width is `reach`. Below are both distances along the dashed line, at twice
+// the scale.
 #include "figure.glsl"
 #include "repetition.glsl"
 

@@ -1,5 +1,5 @@
-// An overshoot at a wall: drag the ray along a fence of slanting planks. If only the copy in the point's cell is
-// evaluated, a circle may reach into the plank behind the wall, and the march may step through that plank. With
+// An overshoot at the wall of a cell: drag the ray along a fence of slanting planks. If only the copy in the point's
+// cell is evaluated, a circle may reach into the plank behind the wall, and the march may step through that plank. With
 // asked = 1, the nearer neighbour is evaluated too. With asked = 2, every other cell is mirrored, which makes a
 // different fence.
 #include "figure.glsl"

@@ -1,6 +1,7 @@
-// From perspective to parallel rays: move the slider, and drag the two plates, which are of equal size. On the right is
-// the picture, with the sizes of the plates relative to a plate in the framing plane. As the rays become parallel, the
-// eye, the dot on the left, moves back, the framing plane keeps its size, and the sizes of the plates become equal.
+// From perspective to parallel rays: change the parameter `orthographic`, and drag the two plates, which are of equal
+// size. On the right is the picture, with the sizes of the plates relative to a plate in the framing plane. As the rays
+// become parallel, the eye, the dot on the left, moves back, the framing plane keeps its size, and the sizes of the
+// plates become equal.
 #include "figure.glsl"
 
 uniform float orthographic; // 0.4 in [0, 1] step 0.02: 0 the perspective view, 1 the orthographic one

@@ -19,8 +19,8 @@ float beam(vec3 p, vec3 centre, vec3 axis)
     return max(q.x, max(q.y, q.z));
 }
 
-// The points that are in front of or behind the last beam in the isometric view: three slabs, whose faces contain the
-// direction (1, -1, -1) of this view.
+// The points that are in front of or behind the last beam in the isometric view: the intersection of three slabs whose
+// faces are parallel to the direction (1, -1, -1) of this view.
 float shaft(vec3 p)
 {
     vec3 q = p - LENGTH * vec3(1.0, -1.0, -0.5);

@@ -1,9 +1,8 @@
 // The light of the sky: drag the sun, and the point on the line of sight. The layer of air at this point receives
 // sunlight that has passed through the air above, and scatters light that passes through more air on its way to the
 // eye. The numbers are the air masses of the whole path in either direction: towards the sun (orange) and along the
-// line of sight (blue).
-// On the right is the light that each layer adds in red, green and blue, at its height; above is the sum of all layers,
-// the sky.
+// line of sight (blue). On the right is the light that each layer adds in red, green and blue, at its height; above is
+// the sum of all layers, the sky.
 #include "figure.glsl"
 #include "lighting.glsl" // encodeSRGB
 #include "sky.glsl"      // RAYLEIGH, transmittance, scatteredLight

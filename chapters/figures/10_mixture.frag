@@ -1,7 +1,7 @@
 // A mixture of two distances: drag the ray's start, its aim and the right disc, and change the share. With half of
-// each, the outline is an ellipse with the centres as its foci. The circles are empty, so the march is safe, but beside
-// the ellipse they do not touch it: the mixture is less than the distance, and the march takes more steps. Their number
-// is at the top left.
+// each, the outline is an ellipse with the centres as its foci. The circles are empty, so the march is safe, but away
+// from the line through the foci they do not touch the ellipse: the mixture is less than the distance, and the march
+// takes more steps. The number of steps is at the top left.
 #include "figure.glsl"
 
 uniform vec2 eye;    // (-1.5, 0.62) handle units: where the ray starts

@@ -1,6 +1,7 @@
-// The nearest point of a segment: drag the point and both ends. The circle around the point is empty and touches
-// the segment. The blue number is the distance. The green number is the fraction of the line from a to b at which the
-// perpendicular from the point meets it; below 0 or above 1 the foot is outside the segment, and an end is nearest.
+// The nearest point of a segment: drag the point and both ends. The circle around the point is empty and touches the
+// segment. The blue number is the distance. The green number is the fraction of the line from a to b at which the
+// perpendicular from the point meets it; below 0 or above 1 the foot of the perpendicular is outside the segment, and
+// an end is nearest.
 #include "figure.glsl"
 
 uniform vec2 point; // (0.12, 0.28) handle units: the point whose distance is measured

@@ -1,7 +1,7 @@
 // Where a rough surface sends the light: drag the lamp and the eye, and change the roughness. The farther out the curve
-// is in a direction, the more light goes in that direction. The orange curve is GGX, and the blue curve is Blinn and
-// Phong's highlight. The eye sees the tiny mirrors whose normal, the green arrow, is halfway between the directions to
-// the lamp and to the eye.
+// is in a direction, the more light goes in that direction. The orange curve is GGX, and the blue curve is the
+// Blinn-Phong highlight. Of the tiny mirrors that make up the surface, the eye sees those whose normal, the green
+// arrow, is halfway between the directions to the lamp and to the eye.
 #include "figure.glsl"
 #include "gloss.glsl" // ggxGloss, blinnPhongGloss, halfway
 

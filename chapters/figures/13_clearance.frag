@@ -1,6 +1,6 @@
 // What one march reveals: drag the point, its ray to the lamp, and the ball beside the ray. At the bottom right are
-// three angles, in degrees: the angle from the smallest distance / t (teal), the true angle (blue), and the angle from
-// the lowest crease between two circles (orange).
+// three values, in degrees, for the free angle between the ray and the ball: the one from the smallest distance / t
+// (teal), the true one (blue), and the one from the lowest crease between two circles (orange).
 #include "figure.glsl"
 
 uniform vec2 spot; // (-1.55, -0.3) handle: the point

@@ -23,7 +23,7 @@ float spreadFrom(vec2 q)
     return LAMP_RADIUS / sqrt(max(dot(toLamp, toLamp) - LAMP_RADIUS * LAMP_RADIUS, 1e-4));
 }
 
-// Whether the ball lies between q and the lamp.
+// Whether the ball's centre is between q and the lamp, measured along the line that joins q and the lamp.
 bool before(vec2 q)
 {
     float along = dot(ball - q, normalize(LAMP - q));
@@ -43,7 +43,7 @@ vec3 rayColour(Ray ray)
     vec2 p = sheetPoint(ray), eyes = vec2(1.16, 0.2), toBall = ball - spot, toLamp = normalize(LAMP - spot);
     fill(p.y - LAMP.y + LAMP_RADIUS, PALE, 0.75 * (1.0 - shareFrom(p)) * (1.0 - smoothstep(0.35, 0.62, p.x)));
 
-    // The tangents from the point to the lamp touch it at right angles to its radius.
+    // The tangents from the point to the lamp are perpendicular to the lamp's radii at the points of contact.
     float spread = spreadFrom(spot), cosine = inversesqrt(1.0 + spread * spread), reach = LAMP_RADIUS / spread;
     vec2 aside = cosine * spread * vec2(-toLamp.y, toLamp.x);
     line2(p, spot, spot + reach * (cosine * toLamp + aside), 1.2, ORANGE);

@@ -1,7 +1,7 @@
 // The sky that a point sees: drag the ball, and the end of the surface's normal. Blue is open and orange is hidden,
-// both along the semicircle above the surface and where this is projected straight down onto the surface. On the right
-// is the projection of the whole hemisphere, a disc, seen along the normal. The number is the openness, the blue share
-// of the disc.
+// both along the semicircle above the surface and where this semicircle is projected straight down onto the surface. On
+// the right is the projection of the whole hemisphere, a disc, seen along the normal. The number is the openness, the
+// blue share of the disc.
 #include "figure.glsl"
 #include "occlusion.glsl"
 
@@ -27,7 +27,7 @@ float arcBetween(vec2 q, float low, float high)
 vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), up = normalize(normal - POINT + 1e-6), along = vec2(up.y, -up.x), eyes = vec2(1.16, 0.06);
-    vec2 q = vec2(dot(p - POINT, along), dot(p - POINT, up)), toBall = ball - POINT; // q is along the surface and above it
+    vec2 q = vec2(dot(p - POINT, along), dot(p - POINT, up)), toBall = ball - POINT; // q: along and above the surface
     float far = length(toBall), beta = far > radius ? arcSine(radius / far) : PI;
     float theta = atan(dot(toBall, along), dot(toBall, up) + 1e-6); // angle of the ball's centre from the normal
     float low = clamp(theta - beta, -0.5 * PI, 0.5 * PI), high = clamp(theta + beta, -0.5 * PI, 0.5 * PI);

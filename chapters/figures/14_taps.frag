@@ -1,6 +1,6 @@
 // Five taps: drag the point along the floor, and the corners of both walls. A tap is blue if it finds nothing, and
-// orange if it finds a wall, at the dot; the dashed lines are the tangents from the point to the circle of the last
-// tap. The bars on the right, and the numbers, are the openness (blue) and its estimate from the taps (orange).
+// orange if it finds a wall, at the dot; the dashed orange lines are the tangents from the point to the circle of the
+// last tap. The bars on the right, and the numbers, are the openness (blue) and its estimate from the taps (orange).
 #include "figure.glsl"
 #include "occlusion.glsl"
 

@@ -11,7 +11,7 @@ uniform vec2 spot;   // (0.5, -0.4) handle: its x is the selected light
 uniform float gamma; // 1.45 in [1, 3] step 0.05: steepness of the film's curve
 uniform vec3 colour; // 1, 0.4, 0.05 in [0, 1], linear RGB: colour of the strips
 
-const vec2 LOW = vec2(0.0, -0.4); // origin of the plot: middle grey, and light 0
+const vec2 LOW = vec2(0.0, -0.4); // origin of the plot: middle grey, and the result 0
 const float STOP = 0.25, HIGH = 1.25; // width of a stop, and height of the value 1, units
 
 float sceneDistance(vec3 p)

@@ -1,5 +1,5 @@
 // One ray for a block of pixels: drag the eye, the point it is aimed at, and the ball. The cone continues while it fits
-// into the ball of empty space around its axis; where it stops, all the rays of its pixels begin.
+// into the ball of empty space around a point of its axis; where the cone stops, all the rays of its pixels begin.
 #include "figure.glsl"
 
 uniform vec2 eye;     // (-1.55, 0.0) handle: where the rays start
@@ -44,8 +44,8 @@ vec3 rayColour(Ray ray)
     fill(d, SAND, 1.0);
     stroke(d, 2.0, ORANGE);
 
-    // The rays of eight pixels are marched on from there, each in separate steps. They are computed only where the rays
-    // or their count are shown.
+    // The rays of eight pixels are marched on from the end of the cone, each in separate steps. They are computed only
+    // where the rays or their count are shown.
     int rest = 0;
     float lines = 1e6, ends = 1e6;
     bool seen = dot(p - eye, direction) > t - 0.05 || (p.x < -1.4 && p.y > 0.6);

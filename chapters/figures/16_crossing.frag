@@ -1,6 +1,6 @@
-// The same end for every start: drag the start to the left or right, and drag the end of the line to set its angle to
-// the wall. The distance is plotted upwards, and the path along the ray to the right. A plain march (orange) ends
-// anywhere below the threshold (blue).
+// The same end for every start: drag the start to the left or right, and drag the end of the line to set the ray's
+// angle to the wall. The distance is plotted upwards, and the path along the ray to the right. A plain march (orange)
+// ends anywhere below the threshold (blue); marchCrossing (teal) ends where the line crosses the threshold.
 #include "figure.glsl"
 #include "crossing.glsl"
 
@@ -21,8 +21,8 @@ float sceneDistance(vec3 p)
     return heightAt(p.x);
 }
 
-// Draw a march: from the line down at 45 degrees to a height, then up to the line again, until the line is below the
-// threshold. Returns the last position; before is the position before the last.
+// Draw a march: from the line down at 45 degrees to the height short2, then up to the line again, until the line is
+// below the threshold. Returns the last position; before receives the position before the last.
 float zigzag(vec2 p, float short2, vec3 colour, out float before)
 {
     float x = min(start.x, WALL), path = 1e6, spots = 1e6;

@@ -34,7 +34,7 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), direction = normalize(aim - eye + 1e-6);
 
-    // The loop of marchRelaxed. kept and lost are the distances of p from the circles that count and from the one that
+    // The loop of marchRelaxed. kept and lost are the distances from p to the circles that count and to the one that
     // does not.
     float t = 0.0, covered = 0.0, before = 1.0, factor = omega, square = 0.5 * THRESHOLD * THRESHOLD;
     float inside = 1e6, kept = 1e6, lost = 1e6, spots = 1e6, lostSpot = 1e6;

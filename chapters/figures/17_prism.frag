@@ -25,7 +25,8 @@ vec3 rayColour(Ray ray)
     float size = 0.5 * clamp(length(corner - MIDDLE), 0.2, 0.9), width = penWidth(3.0); // size: from middle to side
     mat3x2 normal = mat3x2(-up, 0.5 * up + 0.8660254 * right, 0.5 * up - 0.8660254 * right); // normals of the sides
     vec3 above = (p - MIDDLE) * normal - size;
-    float prism = max(above.x, max(above.y, above.z)), turned = 0.0, amount = 0.0; // amount: width of the spectrum at p
+    // amount: the total width of the bands of wavelengths that reach p, in micrometres.
+    float prism = max(above.x, max(above.y, above.z)), turned = 0.0, amount = 0.0;
 
     // White light, up to the prism. Of the sides that it faces, it enters through the one that it crosses last.
     vec2 start = normalize(aim - lamp + 1e-6);
@@ -37,7 +38,7 @@ vec3 rayColour(Ray ray)
     bool hit = enter > 0.0 && max(over.x, max(over.y, over.z)) < 1e-4;
     vec3 light = vec3(coverage(0.5 * width - sdSegment(p, lamp, hit ? meet : lamp + 4.0 * start), sheetPixel()));
 
-    vec2 waves = vec2(9.0, 0.0); // the smallest and the largest wavelength that arrives at p
+    vec2 waves = vec2(9.0, 0.0); // the smallest and the largest of the wavelengths that arrive at p
     vec3 before = vec3(9.0);     // how far p is from the pieces of the previous ray
     for (int k = 0; k < (hit ? 4 : 0); k++) {
         float last = FOLLOWED[max(k - 1, 0)], wave = FOLLOWED[k];

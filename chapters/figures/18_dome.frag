@@ -1,5 +1,5 @@
 // The whole sky, twice: drag the sun in the left sky; beyond the rim it is below the horizon. The zenith is in the
-// centre, the horizon at the rim. On the left is the sky of this chapter, whose tables do not contain the steep
+// centre, the horizon at the rim. On the left is the sky of chapter 18, whose tables do not contain the steep
 // dependence on the angle to the sun; on the right two tables with complete colours are mixed, by the horizontal angle
 // or by the dot product. The number is the sun's height in degrees.
 #include "figure.glsl"

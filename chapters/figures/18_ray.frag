@@ -20,7 +20,7 @@ float sceneDistance(vec3 p)
     return sdCircle(p.xy - CENTRE, RADIUS);
 }
 
-// The optical depth of the air above a point at a distance r from the centre, in a direction whose height has this
+// The optical depth of the air above a point at a distance r from the centre, in a direction whose height has the given
 // sine. The function is like airMass, but for air that thins out with height.
 vec3 depthUp(float r, float sine)
 {

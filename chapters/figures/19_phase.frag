@@ -1,6 +1,6 @@
-// The phases of the moon: drag the moon around the Earth, and the sun around both. They are seen from above the pole;
-// the sun is so far away that its light comes along parallel lines. On the right is the moon as the eye sees it. The
-// numbers are the phase angle in degrees (teal), and the lit share of the disc in percent.
+// The phases of the moon: drag the moon around the Earth, and the sun around both. All three are seen from above the
+// pole; the sun is so far away that its light comes along parallel lines. On the right is the moon as the eye sees it.
+// The numbers are the phase angle in degrees (teal), and the lit share of the disc in percent.
 #include "figure.glsl"
 #include "lighting.glsl"
 #include "night.glsl"
@@ -45,7 +45,8 @@ vec3 rayColour(Ray ray)
     float arc = sdArc(vec2(dot(q, vec2(middle.y, -middle.x)), dot(q, middle)), 0.19, max(half_, 0.01));
     fill(arc - 0.5 * penWidth(2.0), TEAL, 1.0);
     number(p, moon - 0.19 * middle, degrees(2.0 * half_), 0, TEAL);
-    // The disc: its right side is on the right for an eye on the Earth, and the sun is in the plane of the picture.
+    // The disc as an eye on the Earth sees it. inFrame is the direction to the sun: right, up, and towards the eye. It
+    // has no upward component, because the sun is in the plane of the sheet.
     vec2 point = (p - SEEN) / DISC;
     vec3 inFrame = vec3(side, 0.0, cosine);
     vec3 face = moonFace(moonMap, point, sheetPixel() / DISC, inFrame, 1.5) * exp(1.2 * half_);

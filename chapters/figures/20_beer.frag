@@ -1,7 +1,7 @@
 // A march through a cloud: drag the ray's start and end, and the lamp; change the density and the number of steps.
 // Plotted below, against the distance along the ray, are the share of light that is still transmitted (blue), the share
-// that each step hides (grey), and the part of this share that the lamp lights (orange). The numbers are the cover C,
-// and the share A of the lamp's light, both in percent.
+// that each step hides per 0.2 units (grey), and the part of this share that the lamp lights (orange). The numbers are
+// the cover C, and the share A of the lamp's light, both in percent.
 #include "figure.glsl"
 
 uniform vec2  eye;     // (-1.6, 0.2) handle: where the ray starts

@@ -33,7 +33,7 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), km = (p - EYE) / KM, to = max((aim - EYE) / KM, vec2(0.1, 0.0));
     float altitude = max((layer.y - EYE.y) / KM.y, 0.1), height = heightAt(km), climb = to.y / length(to);
-    // Converts a difference in height, in km, to a distance on the sheet.
+    // The factor that converts a difference in height, in km, to a distance on the sheet.
     float slope = inversesqrt(1.0 + pow(km.x / EARTH_RADIUS * KM.y / KM.x, 2.0)) * KM.y;
 
     // Clouds with a flat base, on the layer.

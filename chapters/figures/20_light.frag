@@ -1,8 +1,8 @@
 // Clouds in the light: drag the sun in the small disc, which shows the sky with the zenith in its centre and the view
 // at its top; beyond its rim, the sun is below the horizon. Drag the point over the clouds. The bars show the light of
 // this point: their widths are the squared components of the direction to the sun, sideways (orange), upwards (green)
-// and ahead (blue), and their heights are the shares of the sun's light that arrive from there. The number is the total
-// area of the bars plus the silver lining.
+// and ahead (blue), and their heights are the shares of the sun's light that arrive from these directions. The number
+// is the total area of the bars plus the silver lining.
 #include "figure.glsl"
 #include "lighting.glsl"
 #include "film.glsl"

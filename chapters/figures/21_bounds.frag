@@ -10,7 +10,7 @@ uniform vec2 start; // (-1.3, -0.06) handle: where the ray starts
 
 const vec2  UNITS = vec2(0.3, 2.4);     // scene units in a unit of the sheet
 const vec2  ORIGIN = vec2(36.42, 8.55);  // distance ahead and height in the centre of the sheet
-const float ASIDE = -1.979;             // how far to the right of the eye the cut is: under the pixel 300,240
+const float ASIDE = -1.979;             // how far right of the eye the cut is: under pixel 300,240 of chapter 21
 
 float sceneDistance(vec3 p)
 {

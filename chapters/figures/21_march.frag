@@ -1,7 +1,7 @@
-// A march over the mountain of this chapter, in a vertical cut: drag the eye and the end of the ray, and choose the
+// A march over the mountain of chapter 21, in a vertical cut: drag the eye and the end of the ray, and choose the
 // bound. Bound 0 is one slope for all the land. Bound 1 is a slope for each position; its balls are empty. Bound 2 is a
 // slope for each position and only for this ray; its steps are longer, and its balls are free of land only along the
-// ray. The number is that of the steps, at most 60. The sheet is 5 km wide.
+// ray. The number is the count of steps, at most 60. The sheet is 5 km wide.
 #include "figure.glsl"
 #include "land.glsl"
 

@@ -1,4 +1,4 @@
-// What a pixel leaves out: drag the right end of the pixel. Below is the land of this chapter, with all octaves as a
+// What a pixel leaves out: drag the right end of the pixel. Below is the land of chapter 21, with all octaves as a
 // line, and with the octaves that fit this pixel in colour; above are the cells of each octave, the coarsest at the
 // top, and those that fit are green. The numbers are the width of the pixel in units of 100 metres, and the number of
 // octaves that fit the pixel.
