@@ -39,7 +39,7 @@ static void draw_extrusion(void)
     svg_text(128.0, 214.0, 'm', 14.0, SVG_INK, "&#8722;q<tspan font-size='10' dy='3'>x</tspan>");
     svg_text(100.0, 172.0, 'r', 14.0, SVG_INK, "&#8722;q<tspan font-size='10' dy='3'>y</tspan>");
 
-    svg_text(87.0, 290.0, 'm', 13.0, SVG_BLUE, "the solid in section");
+    svg_text(87.0, 290.0, 'm', 13.0, SVG_BLUE, "a cross-section");
     svg_text(130.0, 326.0, 'm', 14.0, SVG_INK, "outside: Pythagoras,");
     svg_text(130.0, 344.0, 'm', 14.0, SVG_INK, "inside: the smaller depth");
 }

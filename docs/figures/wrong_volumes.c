@@ -46,7 +46,7 @@ static void scaled(double top)
 {
     struct svg_plot plot[2];
     const char *const words[4] = {
-        "report: SDF(p / k)", "Twice the distance for k = 1/2: the ray steps over the ball.",
+        "report: SDF(p / k)", "Twice the distance: the ray steps over the ball.",
         "correct: k SDF(p / k)", "Every circle is empty: the ray reaches the ball."};
     svg_pair(top, "2.2 &#160; A ball shrunk to half its size", words, (double[]){-4.3, 6.0},
              (double[]){-1.57, 2.37}, plot);
@@ -171,7 +171,7 @@ static void folded(double top)
     struct svg_plot plot[2];
     const char *const words[4] = {
         "report: offset = 0.4, as for the plane of 2.1.2",
-        "The code mirrors at &#10216;p, n&#10217; = &#8722;offset, on the other side.",
+        "It mirrors at &#10216;p, n&#10217; = &#8722;offset, on the other side.",
         "correct: offset = &#8722;0.4", "Ball and image are equally far from the mirror."};
     svg_pair(top, "2.2.4 &#160; A ball and its image; the mirror should be at x = 0.4", words,
              (double[]){-4.25, 4.25}, (double[]){-1.625, 1.625}, plot);
