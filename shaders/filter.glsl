@@ -13,7 +13,7 @@ vec2 positionInPixel(vec2 screen)
 }
 
 // An offset with the density of a tent, 1 - |x| between -1 and 1, in each coordinate.
-//   u        u in [0, 1], per coordinate
+//   u        in [0, 1], per coordinate
 //   formula  sqrt(2 u) - 1 up to u = 1/2, then 1 - sqrt(2 - 2 u). The variance is 1/6
 vec2 tentOffset(vec2 u)
 {

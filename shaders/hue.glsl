@@ -12,8 +12,8 @@
 // Source: A. R. Smith, 'Color gamut transform pairs', SIGGRAPH 1978; report, section 1.5.4, figure 5.
 vec3 hueToRGB(float hue)
 {
-    vec3 offset = mod(hue / 60.0 + vec3(0.0, 4.0, 2.0), 6.0);
-    return clamp(abs(offset - 3.0) - 1.0, 0.0, 1.0);
+    vec3 position = mod(hue / 60.0 + vec3(0.0, 4.0, 2.0), 6.0);
+    return clamp(abs(position - 3.0) - 1.0, 0.0, 1.0);
 }
 
 // The colour with a given hue, saturation and value.

@@ -188,8 +188,8 @@ TEST(the_grid_evaluates_few_parts)
     assert_true(at_8192 <= 2.0 * at_64 && few > 100 && many > 100);
 }
 
-// Building the lists takes few evaluations of distances: with 8,192 parts, fewer than a thirtieth of
-// the number of parts times the number of cells.
+// Building the lists takes few evaluations of distances: with 8,192 parts, fewer than a thirtieth
+// of the number of parts times the number of cells.
 TEST(the_lists_are_built_from_few_distances)
 {
     struct part_scene *reef = part_scene_build(reef_build, REEF_MOST, K);
