@@ -353,7 +353,7 @@ student: ready ## pack the course without solutions and answers, for students: a
 questions: ## write the exit questions of docs/questions.txt as GIFT and as Moodle's XML into build/questions/
 	@.make/questions.sh
 
-# Pictures that differ are a result and not an error of make.
+# If the pictures differ, that is a result, not an error, so make succeeds.
 compare: ready ## print how much two pictures differ: make compare PICTURES='one.png two.png'
 	@.make/compare.sh || [ $$? = 1 ]
 

@@ -86,7 +86,7 @@ find_files() {
             [ ! -e "$file" ] || return
         done
     done
-    fail "FILES='$FILES': no file has such a name"
+    fail "FILES='$FILES': no such file"
 }
 
 [ "${BASH_SOURCE[0]}" = "$0" ] || return 0

@@ -1,5 +1,5 @@
-// Solution to exercise 12.1: only the projection that the surface faces most. This takes one lookup
-// and leaves a seam where the surface faces two projections equally.
+// Solution to exercise 12.1: use only the projection along the axis that the surface faces most
+// directly. This takes one lookup and leaves a seam where the surface faces two axes equally.
 //
 // The chapter's call to planeWeights is replaced by a call to nearestWeights.
 #include "main.glsl"

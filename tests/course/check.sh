@@ -108,7 +108,7 @@ listed() {
     [ $? = 1 ] && says '^0 of 2 right$' && [ ! -e build/check/03_2"$handed_in" ]
 }
 check "several names may be separated by spaces, and earlier pictures are removed" listed
-nobody() { table 03_2 "$handed_in/eve/*.frag"; [ $? = 2 ] && says 'no file has such a name'; }
+nobody() { table 03_2 "$handed_in/eve/*.frag"; [ $? = 2 ] && says 'no such file'; }
 check "a pattern that matches no file is refused" nobody
 endless() {
     CHECK_LIMIT=1 table 00_1 "$handed_in/endless.frag"

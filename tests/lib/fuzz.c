@@ -47,7 +47,7 @@ static void promise_report(bool done)
 static char *string_of(const uint8_t *bytes, size_t size)
 {
     char *text = malloc(size + 1);
-    promise(text != NULL, "there is memory");
+    promise(text != NULL, "there is enough memory");
     for (size_t i = 0; i < size; i++)
         text[i] = bytes[i] == 0 ? ' ' : (char)bytes[i];
     text[size] = '\0';
@@ -200,7 +200,7 @@ static struct shader_source source_of(char *text)
     source.files = calloc(2, sizeof *source.files);
     source.paths = calloc(2, sizeof *source.paths);
     promise(source.lines != NULL && source.files != NULL && source.paths != NULL,
-            "there is memory");
+            "there is enough memory");
     source.files[0] = strdup("text");
     source.paths[0] = strdup(scratch_path("text"));
     source.root = strdup(scratch_path(""));
@@ -332,7 +332,7 @@ void fuzz_picture(const uint8_t *bytes, size_t size)
     uint8_t flags = size > 0 ? bytes[0] : 0;
     size_t length = size > 0 ? size - 1 : 0;
     uint8_t *copy = calloc(length + 1, 1);
-    promise(copy != NULL, "there is memory");
+    promise(copy != NULL, "there is enough memory");
     memcpy(copy, bytes + (size > 0), length);
     mend(copy, length);
     const char *path = scratch_write_bytes("picture.png", copy, length);

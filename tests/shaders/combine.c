@@ -1,6 +1,6 @@
 // combine.c - union, intersection and subtraction of two balls on the GPU, compared with the
-// distance to the remaining parts of their surfaces in double precision. The depth and the shares
-// of smooth unions are tested too.
+// distance, in double precision, to the parts of the balls' surfaces that remain. The depth and the
+// shares of smooth unions are tested too.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"

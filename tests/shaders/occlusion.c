@@ -283,7 +283,8 @@ TEST(a_white_furnace_stays_white)
     }
 }
 
-// A point of a hollow ball of radius 1 around the origin that has a hole above y = height.
+// A point on a hollow ball of radius 1 around the origin. The part of the ball above y = height is
+// missing.
 struct hollow {
     struct d3 position;
     double height;

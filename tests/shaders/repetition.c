@@ -292,10 +292,9 @@ TEST(test_the_cap_makes_the_distance_continuous)
     check_formula(&(struct field){TOWERS_CAPPED, {1.6f, 2.0f, 0.0f, 0.0f}}, block_and_wall);
     double own = steepest(own_and_others, 2.0, 1.0), block = steepest(block_and_wall, 1.6, 1.0);
     double weak = fmin(steepest(own_and_others, 2.0, 0.5), steepest(block_and_wall, 1.6, 0.5));
-    print_message(
-        "# largest slope: own copy and cap %.6f, block and wall %.6f; half the distances, "
-        "with their jumps, at least %.0f\n",
-        own, block, weak);
+    print_message("# largest slope: own copy and cap %.6f, block and wall %.6f; with half of each "
+                  "distance, where the result jumps, at least %.0f\n",
+                  own, block, weak);
     assert_true(own > 0.99 && own < 1.0 + 1e-8 && block > 0.99 && block < 1.0 + 1e-8);
     assert_true(weak > 10.0);
 }

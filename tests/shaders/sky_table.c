@@ -179,8 +179,8 @@ TEST(test_stops_follow_the_hour)
     free(values);
 }
 
-// A disc of the sun of any radius sends nearly the same total light, the sunlight; the halo around
-// the disc adds less than a twentieth.
+// Whatever its radius, the sun's disc sends nearly the same total light, namely the sunlight. The
+// halo around the disc adds less than a twentieth of it.
 TEST(test_disc_sends_the_sunlight)
 {
     double truth[3];

@@ -1,6 +1,7 @@
-// texturing.c - shaders/texture.glsl: weights add up to 1, a footprint is the ellipse in which a
-// round ray meets a surface, a bumped normal is that of a raised surface, and the gradient of a
-// picture's heights is that of their differences.
+// texturing.c - tests shaders/texture.glsl: the weights add up to 1; a footprint is the ellipse in
+// which a ray with a circular cross-section meets a surface; a bumped normal is the normal of a
+// raised surface; and the gradient of a picture's heights is computed from the differences between
+// texels.
 #include "lib/test.h"
 #include "picture/image.h"
 #include "lib/gpu.h"

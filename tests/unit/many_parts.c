@@ -41,7 +41,8 @@ TEST(the_fold_is_not_associative)
 {
     double k = K, left = part_union(part_union(0.0, 0.5 * k, k), 0.5 * k, k);
     double right = part_union(0.0, part_union(0.5 * k, 0.5 * k, k), k);
-    print_message("# the two groupings give %.6f and %.6f of the blend\n", left / k, right / k);
+    print_message("# the two groupings give distances of %.6f and %.6f blend widths\n", left / k,
+                  right / k);
     assert_true(fabs(left - right) > 0.001 * k);
 }
 

@@ -1,6 +1,6 @@
-// chapter.mjs - tests the live chapter in a page that is made for this test: before and after the click, the controls,
-// a ray, the editor with its drafts and links, commands beside the text, exercises, comparisons, print, accessibility
-// and a phone.
+// chapter.mjs - tests the live chapter in a page that is made for this test: before and after the click on Run, the
+// controls, a ray, the editor with its drafts and links, commands beside the text, exercises, comparisons, printing, a
+// reader's own file, accessibility, reduced motion and a phone.
 import {execFileSync, spawnSync} from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';

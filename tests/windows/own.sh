@@ -96,8 +96,8 @@ check 'a picture that another program is writing is unchanged, and no temporary 
 check 'an error message is one line' refused 'unknown option' picture --nothing
 bytes() { picture --list && [ -s "$scratch/said" ] && ! grep -q $'\r' "$scratch/said" "$scratch/why"; }
 check 'output has the same line endings as on other systems' bytes
-# The program writes this text in several parts. Once head has read its line and ended, writing fails, but the program
-# asks for the reason only after the last part.
+# The program writes the shader's text in several parts. Once head has read one line and ended, every write fails, but
+# the program looks up the cause only after the last part.
 first_line() {
     for _ in 1 2 3; do
         "$BUILD/03_shadows" --print-shader 2>"$scratch/why" | head -n 1 >"$scratch/said"
