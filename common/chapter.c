@@ -62,7 +62,7 @@ static bool open_loop(struct run *run)
 {
     run->start = run_window_start(run);
     if (run->options.shader != NULL)
-        printf("%s: reloaded on every save\n", run->options.shader);
+        printf("%s: reloads on every save\n", run->options.shader);
     fflush(stdout);
     run->window = window_open(&run->context, &run->start);
     return run->window != NULL;
