@@ -94,9 +94,9 @@ static void horizon(void)
 static void words(void)
 {
     const double x = 530.0;
-    svg_text(x, 96.0, 'l', 15.0, SVG_BLUE, "P: the pole, &#966; above the horizon");
+    svg_text(x, 96.0, 'l', 15.0, SVG_BLUE, "P: the pole, at height &#966;");
     svg_text(x, 124.0, 'l', 15.0, SVG_TEAL, "M: perpendicular to P,");
-    svg_text(x, 143.0, 'l', 15.0, SVG_TEAL, "due south, at the height 90&#176; &#8722; &#966;");
+    svg_text(x, 143.0, 'l', 15.0, SVG_TEAL, "due south, at height 90&#176; &#8722; &#966;");
     svg_text(x, 171.0, 'l', 15.0, SVG_INK, "W: west, on the horizon");
     svg_text(x, 199.0, 'l', 15.0, SVG_ORANGE, "S: the sun in June at 15 h,");
     svg_text(x, 218.0, 'l', 15.0, SVG_ORANGE, "H = 45&#176; after noon");

@@ -92,7 +92,7 @@ static void sky(double top)
 {
     struct svg_plot plot[2];
     const char *const words[4] = {
-        "report: green and blue times &#10216;up, direction of the rays&#10217;",
+        "report: green, blue times &#10216;up, ray direction&#10217;",
         "Negative all day long: the sky at noon is red.",
         "correct: each channel times exp(&#8722;&#964; (m &#8722; 1))",
         "Blue by day; red when the sun is low."};
