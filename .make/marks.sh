@@ -88,7 +88,7 @@ for exercise in "${exercises[@]}"; do
     wait "$judge" || [ $? = 1 ] || exit 2
 done
 for file in "${files[@]}"; do
-    [ -n "$(exercise_of "$file")" ] || echo "$file: its name contains none of ${exercises[*]}: not marked" >&2
+    [ -n "$(exercise_of "$file")" ] || echo "$file: its name contains none of ${exercises[*]}, so the file is not marked" >&2
 done
 
 # Write the same lines with the student and a checksum of the text added, and copies of the published solution marked.

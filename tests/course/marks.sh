@@ -37,7 +37,7 @@ check "two files of one student are not copies" row '^"again",wrong wrong,"does 
 check 'a pipe is refused without waiting for it' row '^"pipe",wrong,"not a regular file"'
 check 'a file whose name contains a line break is reported, and the others are marked' grep -q 'odd/00_2.*the name has a tab or a line break' "$scratch/said"
 check 'the table has no other rows' [ "$(wc -l <"$scratch/marks.csv")" = 10 ]
-check 'a file whose name contains no exercise is reported' grep -q 'nameless/ball.frag: its name contains none of 00_2 00_3: not marked' "$scratch/said"
+check 'a file whose name contains no exercise is reported' grep -q 'nameless/ball.frag: its name contains none of 00_2 00_3, so the file is not marked' "$scratch/said"
 check 'the marks are counted' grep -q '^9 students; answers: 2 right, 5 wrong, 4 copied$' "$scratch/said"
 pictures() {
     grep -q '<td>00_3<td>right' build/marks/index.html &&
