@@ -1,6 +1,6 @@
 // cells.c - GLSL's mod, the report's formula for repetition, and cellRandom of
-// shaders/repetition.glsl: compared with its C version to the last bit, and tested as a source of
-// random numbers.
+// shaders/repetition.glsl, which is compared with its C version to the last bit and tested as a
+// source of random numbers.
 #include "lib/test.h"
 #include "lib/cell.h"
 #include "lib/gpu.h"

@@ -1,6 +1,7 @@
 // coarse.c - tests of the coarse pass. Brute force in double precision checks that no ray of a
-// block meets anything before the block's start. Pictures of a wire half a pixel wide may differ
-// with and without the pass only where a ray grazes the scene.
+// block meets anything before the block's start. Pictures of a wire half a pixel thick may differ
+// with and without the pass only where a ray grazes the scene, and the wire has no holes if the
+// threshold grows along the ray.
 #include "lib/test.h"
 #include "lib/coarse.h"
 

@@ -149,7 +149,7 @@ TEST(test_a_pixel_spreads_as_the_screen_says)
 // ---- coneReaching ----
 
 // coneReaching in double precision.
-static double walked_share(int scene, struct mirror_ray ray, double threshold, double spread)
+static double share_in_cone(int scene, struct mirror_ray ray, double threshold, double spread)
 {
     double t = 0.0, smallest = 1.0;
     for (int steps = 0; steps < 200 && t < FAR && smallest > 0.2; steps++) {
@@ -177,7 +177,7 @@ TEST(test_cone_reaching_gives_the_share_of_the_light)
     for (int i = 0; i < ITEMS; i++) {
         struct ray_result r = result_of(values, i);
         double expected =
-            walked_share(BALL, r.ray, (double)(float)threshold, (double)(float)spread);
+            share_in_cone(BALL, r.ray, (double)(float)threshold, (double)(float)spread);
         double clear = clearance(r.ray);
         worst = fmax(worst, fabs(r.share - expected));
         if (clear > threshold + spread * FAR)

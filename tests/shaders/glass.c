@@ -38,7 +38,7 @@ TEST(the_reflected_share_is_that_of_fresnel)
                                      glass_fresnel((double)values[4 * i], (double)etas[k])));
         free(values);
     }
-    print_message("# Fresnel: worst %.2g\n", worst);
+    print_message("# Fresnel: worst error %.2g\n", worst);
     assert_true(worst < 2e-4); // near the critical angle, the slope of the share is infinite
 }
 
@@ -119,7 +119,7 @@ TEST(ten_thousand_rays_follow_the_analytical_path_through_a_ball)
         assert_true(way.done);
         worst = fmax(worst, ball_error(way, offset, turn, index));
     }
-    print_message("# 10,000 rays: worst %.2g\n", worst);
+    print_message("# 10,000 rays: worst error %.2g\n", worst);
     assert_true(worst < 1e-6);
 }
 

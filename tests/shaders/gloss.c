@@ -117,8 +117,8 @@ TEST(test_no_model_creates_light)
 }
 
 // As docs/11_materials.md says, with the usual factor (n + 8) / (8 pi) a surface can send back more
-// light than arrives. With the library's factor, it sends back exactly the light that arrives along
-// the normal.
+// light than arrives. With the library's factor, it sends back exactly as much light as arrives
+// if the light arrives along the normal.
 TEST(test_the_usual_factor_creates_light)
 {
     double usual = 0.0, at = 0.0;

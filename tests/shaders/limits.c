@@ -3,16 +3,16 @@
 #include "lib/test.h"
 #include "lib/limits.h"
 
-static const double scales[] = {1.0, 10.0, 100.0, 1000.0, 10000.0, 100000.0};
-enum { SCALES = sizeof scales / sizeof *scales };
+static const double positions[] = {1.0, 10.0, 100.0, 1000.0, 10000.0, 100000.0};
+enum { POSITIONS = sizeof positions / sizeof *positions };
 
 // No error exceeds the proved bound, and a fifth of the bound would be too little.
 TEST(a_distance_errs_by_no_more_than_is_proved)
 {
     for (int sheet = 0; sheet < LIMITS_SHEETS; sheet++)
-        for (int i = 0; i < SCALES; i++) {
-            struct limits_sums sums = limits_of(sheet, scales[i], 1.0);
-            print_message("# sheet %d at %g: error %.2g, %.2f of the bound\n", sheet, scales[i],
+        for (int i = 0; i < POSITIONS; i++) {
+            struct limits_sums sums = limits_of(sheet, positions[i], 1.0);
+            print_message("# sheet %d at %g: error %.2g, %.2f of the bound\n", sheet, positions[i],
                           sums.absolute, sums.error);
             assert_true(sums.error <= 1.0 && sums.error > 0.2);
         }
@@ -21,8 +21,8 @@ TEST(a_distance_errs_by_no_more_than_is_proved)
 TEST(no_sheet_is_passed_with_the_proved_threshold)
 {
     for (int sheet = 0; sheet < LIMITS_SHEETS; sheet++)
-        for (int i = 0; i < SCALES; i++) {
-            struct limits_sums sums = limits_of(sheet, scales[i], 1.0);
+        for (int i = 0; i < POSITIONS; i++) {
+            struct limits_sums sums = limits_of(sheet, positions[i], 1.0);
             assert_true(sums.rays > 1000);
             assert_int_equal(sums.passed, 0);
         }
@@ -33,9 +33,9 @@ TEST(no_sheet_is_passed_with_the_proved_threshold)
 TEST(sheets_are_passed_with_a_sixteenth_of_the_threshold)
 {
     for (int sheet = 0; sheet < LIMITS_SHEETS; sheet++)
-        for (int i = 2; i < SCALES; i++) {
-            struct limits_sums sums = limits_of(sheet, scales[i], 1.0 / 16.0);
-            print_message("# sheet %d at %g: %d of %d rays pass through\n", sheet, scales[i],
+        for (int i = 2; i < POSITIONS; i++) {
+            struct limits_sums sums = limits_of(sheet, positions[i], 1.0 / 16.0);
+            print_message("# sheet %d at %g: %d of %d rays pass through\n", sheet, positions[i],
                           sums.passed, sums.rays);
             assert_true(sums.passed > sums.rays / 4);
         }

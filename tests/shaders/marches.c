@@ -20,8 +20,8 @@ static struct mirror_ray ray_of(const struct camera *camera, int pixel)
                              mirror_screen_y(pixel / WIDTH + 0.5, HEIGHT));
 }
 
-// True if the march in double precision takes the same steps and ends for the same reason when its
-// threshold is a few roundings smaller or larger.
+// True if the march in double precision takes the same number of steps and ends for the same reason
+// when its threshold is a few roundings smaller or larger.
 static bool settled(int stress, enum march_kind kind, struct mirror_ray ray,
                     const struct mirror_march *march)
 {

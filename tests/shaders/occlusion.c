@@ -35,7 +35,7 @@ TEST(a_ball_hides_its_share_of_the_disc)
         assert_true((double)values[4 * 64 + 3] == 0.0); // the ball is straight below
         free(values);
     }
-    print_message("# ball: worst %.2g\n", worst);
+    print_message("# ball: worst error %.2g\n", worst);
     assert_true(worst < closed_form);
 }
 

@@ -61,7 +61,7 @@ TEST(a_straight_edge_leaves_a_segment)
     for (int i = 1; i < 1281; i++) // the share never decreases
         assert_true((double)values[4 * i + 1] >= (double)values[4 * i - 3] - 1e-6);
     free(values);
-    print_message("# edge: worst %.2g\n", worst);
+    print_message("# edge: worst error %.2g\n", worst);
     assert_true(worst < closed_form);
 }
 
@@ -80,7 +80,7 @@ TEST(two_discs_overlap_in_a_lens)
         }
         free(values);
     }
-    print_message("# disc: worst %.2g\n", worst);
+    print_message("# disc: worst error %.2g\n", worst);
     assert_true(worst < closed_form);
 }
 

@@ -27,7 +27,7 @@ TEST(all_wavelengths_are_white)
         }
     }
     free(values);
-    print_message("# mean %.5f %.5f %.5f; worst %.3f\n", mean[0], mean[1], mean[2], worst);
+    print_message("# mean %.5f %.5f %.5f; worst error %.3f\n", mean[0], mean[1], mean[2], worst);
     for (int c = 0; c < 3; c++)
         assert_true(fabs(mean[c] - 1.0) < 1e-4);
     assert_true(worst < 0.4); // the stated error of the fit
