@@ -121,7 +121,7 @@ named() {
         ! grep -q '^lines' "$scratch/toy.frag"
 }
 if [ "${SYSTEM-}" = Windows ]; then
-    skip "a line break in a shader's name does not end the comment" 'no file name contains one'
+    skip "a line break in a shader's name does not end the comment" 'no file name contains a line break'
 else
     check "a line break in a shader's name does not end the comment" named
 fi

@@ -187,7 +187,7 @@ kept() { cmp -s "$out/part.png" "$good" && [ -L "$out/link.png" ] && grep -q par
 for name in read part link hard row-%d; do
     frames=()
     [ "$name" = row-%d ] && frames=(--frames 3)
-    keep=1 refuse "an output to $name.png, which is read," 1 "which this run reads" \
+    keep=1 refuse "an output to $name.png, which would replace a file that is read," 1 "which this run reads" \
         "$chapter" "${small[@]}" "${frames[@]}" -f "$out/read.png" -o "$out/$name.png"
     check "an output to $name.png leaves the files that are read unchanged" kept
 done

@@ -75,7 +75,7 @@ scene="$head
 }
 "
 printf '%s' "$scene" >"$scratch/scene.frag" && draw scene
-check 'Windows line endings do not change the picture' as_written "${scene//$'\n'/$'\r\n'}"
+check "Windows' line endings do not change the picture" as_written "${scene//$'\n'/$'\r\n'}"
 check 'a byte-order mark does not change the picture' as_written $'\357\273\277'"$scene"
 check 'tabs do not change the picture' as_written "${scene//    /$'\t'}"
 check 'comments in Latin-1 and UTF-8 do not change the picture' as_written $'// caf\xe9, \xc3\xa9t\xc3\xa9, \xe2\x88\x9e : c\'est une "scene"\n'"$scene"

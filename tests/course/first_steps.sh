@@ -12,7 +12,7 @@ sources=chapters/first_steps
 plank=shaders/textures/plank.png
 
 if [ ! -x "$steps/engine_6" ] || ! command -v convert >/dev/null; then
-    skip 'the engine' 'no GLFW, EGL or convert on this machine'
+    skip 'the engine' 'this machine has no GLFW, no EGL or no convert'
     plan
     exit
 fi
@@ -103,7 +103,7 @@ full() { fails 1 'full.png: ' within_kib 1 "$steps/engine_6" -o "$scratch/full.p
 check 'a full disk is reported, and no part of the picture is left' full
 # LIBGL_ALWAYS_SOFTWARE selects Mesa's driver, which obeys MESA_GL_VERSION_OVERRIDE.
 check 'with -o, a version of OpenGL that is too old is refused' fails 1 '^engine: no OpenGL 3.3' env MESA_GL_VERSION_OVERRIDE=3.2 "$steps/engine_6" -o "$scratch/old.png" "$sources/1_screen.frag"
-hidden() { # COMMAND...: runs the command where no window can be opened, and prints only the engine's messages
+hidden() { # COMMAND...: runs the command where no window can be opened, without the lines that libwayland may add
     env -u DISPLAY -u WAYLAND_DISPLAY "$@" 2>&1 | grep -e '^engine: '
     return "${PIPESTATUS[0]}"
 }

@@ -80,7 +80,7 @@ if command -v git >/dev/null; then
     check "a git that writes Windows' line endings can clone the files" kept_by_git
     check 'the files of the clone have the same bytes' diff -rq "$scratch/ours" "$scratch/theirs"
 else
-    skip "a git that writes Windows' line endings can clone the files" 'no git on this machine'
+    skip "a git that writes Windows' line endings can clone the files" 'this machine has no git'
 fi
 
 # ---- A Mac's compiler ----
@@ -115,16 +115,16 @@ if command -v clang >/dev/null; then
     if command -v Xvfb >/dev/null; then
         check "a program built as on a Mac renders to a file with a hidden window" mac_picture
     else
-        skip "a program built as on a Mac renders to a file with a hidden window" 'no Xvfb on this machine'
+        skip "a program built as on a Mac renders to a file with a hidden window" 'this machine has no Xvfb'
     fi
 elif [ -n "${CI-}" ]; then
-    not_ok "a Mac's compiler" 'no clang on this machine'
+    not_ok "a Mac's compiler" 'this machine has no clang'
 fi
 
 # ---- Tools ----
 
 if ! command -v original-awk >/dev/null || ! command -v busybox >/dev/null; then
-    skip "the commands with tools other than GNU's" 'no original-awk or no busybox: make setup installs them'
+    skip "the commands with tools other than GNU's" 'this machine has no original-awk or no busybox: make setup installs them'
     plan
     exit
 fi

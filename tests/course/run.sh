@@ -39,7 +39,7 @@ check 'a suite that runs fewer tests than it planned is reported' gives 1 'plann
 suite none <<<'exit 0'
 check 'a suite that tests nothing is reported' gives 1 'ran no test' none
 check 'two named suites are run' gives 1 '^2 passed, 1 failed, 1 skipped$' good bad
-check 'an unknown suite is refused beside a known one' gives 2 'SUITE=worse: no such suite' good worse
+check 'an unknown suite beside a known one is refused' gives 2 'SUITE=worse: no such suite' good worse
 check 'the results of all suites are added up' gives 1 '^4 passed, 4 failed, 1 skipped$'
 # In continuous integration, one more suite fails, because the program that renders a picture under the sanitizers does
 # not exist here.

@@ -6,7 +6,7 @@ cd "$(dirname "$0")/../.." || exit 1
 
 for tool in pandoc xelatex pdfinfo pdftotext; do
     if ! command -v $tool >/dev/null; then
-        skip 'slides and handouts' "no $tool on this machine: make slides installs it"
+        skip 'slides and handouts' "this machine has no $tool: make slides installs it"
         plan
         exit
     fi

@@ -5,7 +5,7 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 if ! command -v zip >/dev/null || ! git rev-parse 2>/dev/null; then
-    skip 'the course for students' 'no zip on this machine, or no checkout of git'
+    skip 'the course for students' 'this machine has no zip, or the project is not a checkout of git'
     plan
     exit
 fi

@@ -178,7 +178,7 @@ export LP_NUM_THREADS=2 # so that a slow picture is slow on any machine
 
 for tool in Xvfb openbox xdotool wmctrl import; do
     if ! command -v $tool >/dev/null; then
-        skip 'the interactive window' "no $tool on this machine: make setup installs it"
+        skip 'the interactive window' "this machine has no $tool: make setup installs it"
         plan
         exit
     fi

@@ -109,7 +109,7 @@ check "tests/pictures/images.txt lists the requested pictures" [ "$count" -ge "$
 stem=$(cut -d ' ' -f 1 "$scratch/list" | tail -n 1)
 
 # Find the backends that work on this machine.
-open_display || no_display='no Xvfb on this machine, or it did not start'
+open_display || no_display='Xvfb is missing, or did not start'
 backends=()
 for backend in egl osmesa glfw; do
     if [ $backend = glfw ] && [ -n "${no_display-}" ]; then

@@ -86,7 +86,7 @@ check 'a close request closes the window with status 0' asked
 # ---- A French keyboard ----
 
 if ! command -v setxkbmap >/dev/null; then
-    skip 'a French keyboard' 'no setxkbmap on this machine'
+    skip 'a French keyboard' 'this machine has no setxkbmap'
 else
     setxkbmap fr
     # shellcheck disable=SC2086 # the options are separate words

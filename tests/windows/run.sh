@@ -16,7 +16,7 @@ cd "$(dirname "$0")/../.." || exit 1
 export LC_ALL=C.UTF-8
 
 loader=/usr/lib/wine/wine64
-[ -x "$loader" ] || loader=$(command -v wine) || { echo 'make: test-windows: no Wine on this machine' >&2; exit 1; }
+[ -x "$loader" ] || loader=$(command -v wine) || { echo 'make: test-windows: this machine has no Wine' >&2; exit 1; }
 export loader
 # At each start, Wine searches for the time zone in its list of all zones, so this is the first zone in that list.
 export TZ=AFT-4:30
