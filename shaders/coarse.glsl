@@ -74,8 +74,8 @@ struct Cone {
 
 // The cone around all rays through a rectangle of the picture, computed from the rays through its corners.
 //   low, high  opposite corners, pixels
-//   formula    origin and direction of the axis are the means of the corner rays'; radius, spread and ahead are
-//              the largest |o - origin|, |d - direction| and (o - origin) . direction of a corner ray. A ball
+//   formula    origin and direction of the axis are the means of those of the corner rays; radius, spread and ahead
+//              are the largest |o - origin|, |d - direction| and (o - origin) . direction of a corner ray. A ball
 //              that contains four points contains their convex hull; and the component along the axis of a unit
 //              vector between the four directions is at least the smallest of their four components, so no
 //              direction is farther from the axis.

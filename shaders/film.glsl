@@ -42,7 +42,8 @@ vec3 contrast(vec3 v, float amount)
 //            0.82 gamma / (1 - (0.18 / white)^gamma)
 //   white    > 1: the light that becomes 1, as does all brighter light
 //   formula  (1 + kappa / w) / (1 + kappa / h), h = x^gamma, w = white^gamma, with kappa = 0.82 g w /
-//            (0.18 w - g), g = 0.18^gamma, so that middle grey, 0.18, is unchanged. The result increases from 0 to 1
+//            (0.18 w - g), g = 0.18^gamma, so that middle grey, 0.18, is unchanged. The result increases with x
+//            from 0 to 1
 // Source: the shape of F. Hurter and V. C. Driffield's curves (1890), as a logistic function.
 vec3 filmCurve(vec3 x, float gamma, float white)
 {

@@ -14,8 +14,8 @@ uniform vec3 iCameraTo; // where the camera is going, scene units
 
 // Where a camera that moves straight from one point to another comes to rest.
 //   from, to  scene units
-//   returns   the point to if there is room for a camera there; otherwise a point nearby that has room, so that the
-//             camera slides along the ground; or the point from if no such point is found. The room never falls below
+//   returns   to, if there is room for a camera there; otherwise a point nearby that has room, so that the camera
+//             slides along the ground; otherwise from, if no such point is found. The room never falls below
 //             min(0, room at from): a camera that begins below the ground can leave it, but goes no deeper
 //   formula   Newton's method for room = least, along the gradient g: p - (room - least) g / |g|^2, with steps 1 %
 //             longer because of rounding. One step is enough on a plane

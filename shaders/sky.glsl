@@ -124,8 +124,8 @@ vec3 nightSky(vec3 direction, vec3 sun)
     return (1.0 - daylight(sun.y)) * mix(vec3(0.002, 0.004, 0.011), vec3(0.016, 0.014, 0.016), low);
 }
 
-// The light of the whole sky on a matt surface: scatteredLight for an air mass of 4, times a colour
-// chosen by eye, plus a little light that remains at night.
+// The light of the whole sky on a matt surface: scatteredLight for an air mass of 4, times daylight
+// squared and a colour chosen by eye, plus a little light that remains at night.
 //   sun, depth  as for sunlitSky
 vec3 skyAmbient(vec3 sun, vec3 depth)
 {

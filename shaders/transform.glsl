@@ -42,7 +42,7 @@ mat3 rotationZ(float angle)
 // The pose of an object: turned first, then moved.
 struct Pose {
     vec3 position; // position of the object's origin, scene units
-    mat3 turn;  // a rotation
+    mat3 turn;     // a rotation
 };
 
 // A point in the coordinates of an object with a pose: moved back, then turned back. In GLSL, row times matrix is

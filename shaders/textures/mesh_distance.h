@@ -1,9 +1,9 @@
 // mesh_distance.h - the signed distance to a closed mesh of triangles.
 //
 // The distance is the distance to the nearest triangle, found with a tree of boxes. Its sign is the
-// sign of the dot product of two vectors: from the nearest point to p, and the normal at the
-// nearest point. This is the normal of the face, the edge or the vertex on which that point lies.
-// The normal of a vertex is the sum of its faces' normals, weighted by the faces' angles there.
+// sign of the dot product of the vector from the nearest point to p and the normal at the nearest
+// point. This is the normal of the face, the edge or the vertex on which that point lies. The
+// normal of a vertex is the sum of its faces' normals, weighted by the faces' angles there.
 // docs/23_stored_distances.md proves that this sign is right for every closed mesh that does not
 // cross itself.
 #ifndef MESH_DISTANCE_H

@@ -13,9 +13,9 @@
 #define PART_HALF       (1.0 / 256.0)   // half segments are multiples of this
 #define PART_RADIUS     (1.0 / 65536.0) // radii are squares of whole numbers times this
 
-// A part is left out of a cell's list if, at every point of the cell, it is farther away than the
-// nearest part by at least PART_REACH times the blend, or is at least PART_MARGIN times the blend
-// away. A cell that lies inside the scene lists only one part.
+// A part is left out of a cell's list only if, at every point of the cell, it is farther away than
+// the nearest part by at least PART_REACH times the blend, or is at least PART_MARGIN times the
+// blend away. The exception is a cell that lies inside the scene, which lists only one part.
 #define PART_REACH  3.0
 #define PART_MARGIN 3.0
 
