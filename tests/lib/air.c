@@ -301,8 +301,8 @@ static void follow(double view, double azimuth, const double sun[3], double albe
                 share * phase_of(air, dust, dot(v, sun)) * sunlight_at(p, sun, wave);
             turned(v, cosine_by(air, dust, state), state);
         }
-        if (share <
-            0.1) { // Russian roulette: a dim path may end; if it does not, its share is raised
+        // Russian roulette: a dim path may end. If it does not, its share is raised.
+        if (share < 0.1) {
             if (share <= 0.0 || chance(state) > share / 0.1)
                 return;
             share = 0.1;

@@ -12,7 +12,7 @@ double city_towers_brute(struct d3 p, int reach);
 double city_street(struct d3 p);
 
 // The distance to the whole city, as the shader computes it.
-//   nearest  receives 0 for a tower, 1 for a lamp, 2 for a tree, 3 for the cap, a lower
+//   nearest  receives 0 for a tower, 1 for a lamp, 2 for a tree, 3 for the cap, which is a lower
 //            bound on the distance to the towers of other blocks; may be NULL
 double city_distance(struct d3 p, int *nearest);
 

@@ -53,7 +53,7 @@ struct parameters parameter_text(const char *text)
 void parameter_said(const char *said, const char *where, const char *why)
 {
     if (line_count(said) != 1 || strstr(said, where) == NULL || strstr(said, why) == NULL)
-        fail_msg("the report is not one line with '%s' and '%s': %s", where, why, said);
+        fail_msg("expected one line with '%s' and '%s', not: %s", where, why, said);
 }
 
 void parameter_number(double value, double expected)

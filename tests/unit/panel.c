@@ -83,7 +83,7 @@ TEST(the_status_is_described)
     assert_true(says("H: help"));
     panel.resolution = 35;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
-    assert_true(says("H: help    35 % resolution")); // the hint stays visible
+    assert_true(says("H: help    35 % resolution")); // the hint stays visible while something moves
     panel.sharp = 40;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(says("H: help    35 % resolution, sharpening: 40 %"));
@@ -184,8 +184,7 @@ TEST(a_panel_keeps_its_width)
 }
 
 // In a picture of any size, a panel with a long error takes at most half the picture's height plus
-// three lines.
-// In a picture of at least 320x180 units, nothing is outside the picture.
+// three lines. In a picture of at least 320x180 units, nothing is outside the picture.
 TEST(a_panel_fits_any_picture)
 {
     char error[6000];

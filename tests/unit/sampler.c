@@ -188,11 +188,11 @@ static void note(void *to, const char *path)
 }
 
 // A window must watch each picture, and all possible locations of a missing picture.
-TEST(test_every_file_is_seen)
+TEST(test_every_file_is_visited)
 {
-    char seen[4096] = "";
+    char visited[4096] = "";
     bool done;
-    const struct shader_request request = {.visit = note, .to = seen};
+    const struct shader_request request = {.visit = note, .to = visited};
     read_asked("uniform sampler2D a; // \"stone.png\" sRGB repeat: x\n"
                "uniform sampler2D b; // \"gone.png\" sRGB repeat: x\n",
                &request, &done);
@@ -201,8 +201,8 @@ TEST(test_every_file_is_seen)
                                         "root/shaders/textures/stone.png", "own/gone.png",
                                         "root/shaders/textures/gone.png"};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
-        if (strstr(seen, scratch_path(files[i])) == NULL)
-            fail_msg("%s is missing in: %s", files[i], seen);
+        if (strstr(visited, scratch_path(files[i])) == NULL)
+            fail_msg("%s is missing in: %s", files[i], visited);
 }
 
 // ---- The command line ----

@@ -203,22 +203,22 @@ static void note(void *to, const char *path)
 }
 
 // A window must watch each file that is read, and all possible locations of a missing file.
-IN_PROJECT(test_every_file_is_seen)
+IN_PROJECT(test_every_file_is_visited)
 {
     struct shader_source source;
-    char seen[4096] = "";
+    char visited[4096] = "";
     scratch_write("root/shaders/broken.glsl", "#include \"leaf.glsl\"\n#include \"gone.glsl\"\n");
     const char *path = scratch_write("root/chapters/main.frag", "#include \"broken.glsl\"\n");
     capture_begin();
-    const struct shader_request request = {.visit = note, .to = seen};
+    const struct shader_request request = {.visit = note, .to = visited};
     assert_false(shader_read_asked(&source, path, scratch_path("root"), &request));
     capture_end();
     static const char *const files[] = {"root/chapters/main.frag", "root/shaders/broken.glsl",
                                         "root/shaders/leaf.glsl", "root/shaders/gone.glsl",
                                         "root/chapters/gone.glsl"};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
-        if (strstr(seen, scratch_path(files[i])) == NULL)
-            fail_msg("%s is missing in: %s", files[i], seen);
+        if (strstr(visited, scratch_path(files[i])) == NULL)
+            fail_msg("%s is missing in: %s", files[i], visited);
     assert_null(source.text);
 }
 
