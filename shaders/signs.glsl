@@ -28,11 +28,11 @@ float signCover(int row, ivec2 at)
 }
 
 // The share of a pixel that a word covers, in [0, 1].
-//   word   SIGN_T, ...
-//   pixel  in pixels, from the word's bottom left corner
-float wordCover(int word, vec2 pixel)
+//   word    SIGN_T, ...
+//   offset  in pixels, from the word's bottom left corner
+float wordCover(int word, vec2 offset)
 {
-    return signCover(word, ivec2(floor(pixel)));
+    return signCover(word, ivec2(floor(offset)));
 }
 
 // 10^n, for n in [0, 9], as a product of powers whose exponents are powers of 2. The compiler would copy a loop over
@@ -62,11 +62,11 @@ int numberWidth(int number, int decimals)
 }
 
 // The share of a pixel that number / 10^decimals covers, in [0, 1].
-//   pixel  in pixels, from the number's bottom left corner
-float numberCover(int number, int decimals, vec2 pixel)
+//   offset  in pixels, from the number's bottom left corner
+float numberCover(int number, int decimals, vec2 offset)
 {
     int cell = signCell(), wide = 4 * cell;
-    ivec2 at = ivec2(floor(pixel)) + ivec2(cell / 2, 0); // half a gap is to the left of the first sign
+    ivec2 at = ivec2(floor(offset)) + ivec2(cell / 2, 0); // half a gap is to the left of the first sign
     if (at.x < 0 || at.x >= (numberWidth(number, decimals) + 1) * cell)
         return 0.0;
     if (number < 0 && at.x < wide)

@@ -13,12 +13,12 @@ static const char begin_text[] = GL_GLSL "uniform sampler2D picture;\n"
 static const char end_text[] =
     "void main()\n"
     "{\n"
-    "    vec2 place = gl_FragCoord.xy * step - 0.5;\n"
-    "    vec2 base = floor(place);\n"
+    "    vec2 texel = gl_FragCoord.xy * step - 0.5;\n"
+    "    vec2 base = floor(texel);\n"
     "    ivec2 last = textureSize(picture, 0) - 1;\n"
     "    ivec4 column = clamp(int(base.x) + ivec4(-1, 0, 1, 2), 0, last.x);\n"
     "    ivec4 row = clamp(int(base.y) + ivec4(-1, 0, 1, 2), 0, last.y);\n"
-    "    fragment = vec4(filtered(column, row, place - base), 1.0);\n"
+    "    fragment = vec4(filtered(column, row, texel - base), 1.0);\n"
     "}\n";
 
 static const char bilinear_text[] = "vec3 filtered(ivec4 x, ivec4 y, vec2 f)\n"

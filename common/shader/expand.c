@@ -338,7 +338,7 @@ bool shader_expand(struct shader_source *source, const char *path, const char *r
         shader_free(source);
         return false;
     }
-    files_tell(source, resolved);
+    files_visit(source, resolved);
     files_folder(resolved, own);
     source->own = memory_text("%s", own);
     glsl_begin(&e.reader, &source->code);

@@ -30,7 +30,7 @@ void files_folder(const char *path, char folder[PLATFORM_PATH])
     snprintf(folder, PLATFORM_PATH, "%.*s", length > 0 ? length : 1, path);
 }
 
-void files_tell(const struct shader_source *source, const char *path)
+void files_visit(const struct shader_source *source, const char *path)
 {
     if (source->request.visit != NULL)
         source->request.visit(source->request.to, path);
@@ -82,7 +82,7 @@ static char *resolve(const struct shader_source *source, int from, const char *n
         snprintf(path, sizeof path, "%s%s/%s", i == 0 ? beside : source->root,
                  i == 0 ? "" : folders[i - 1], name);
         char *resolved = platform_resolve(path);
-        files_tell(source, resolved != NULL ? resolved : path);
+        files_visit(source, resolved != NULL ? resolved : path);
         if (resolved == NULL && (errno == ENOENT || errno == ENOTDIR))
             continue;
         const char *other = resolved != NULL ? other_case(name, resolved) : NULL;
@@ -157,7 +157,7 @@ int shader_find_texture(struct shader_source *source, int from, const char *name
 int shader_take_texture(struct shader_source *source, const char *path, char why[TEXT_FILE_WHY])
 {
     char *resolved = platform_resolve(path);
-    files_tell(source, resolved != NULL ? resolved : path);
+    files_visit(source, resolved != NULL ? resolved : path);
     if (resolved != NULL)
         return files_add(source, memory_text("%s", path), resolved);
     snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", platform_why(errno));

@@ -6,7 +6,7 @@
 #include "shader/source.h"
 
 // Pass a path that is read or tried to the callback request.visit, if there is one.
-void files_tell(const struct shader_source *source, const char *path);
+void files_visit(const struct shader_source *source, const char *path);
 
 // The folder of a resolved path.
 void files_folder(const char *path, char folder[PLATFORM_PATH]);
