@@ -10,9 +10,9 @@
 // line. Always returns false, for "return report(...);".
 bool report(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-// Begin every message of report() with a position in a file and ": ", as in "my.txt:3: ", until the
+// Begin every message of report() with a location in a file and ": ", as in "my.txt:3: ", until the
 // next call of this function.
-//   text  the position, which is copied; NULL for none
+//   text  the location, which is copied; NULL for none
 void report_location(const char *text);
 
 // Print several lines of text, such as a shader's errors with their source, on standard error.

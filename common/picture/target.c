@@ -118,7 +118,7 @@ void target_close(struct target *target, const struct gl *gl)
 bool target_bind(struct target *target, const struct gl *gl, int width, int height)
 {
     return make(target, gl, width, height) ||
-           report("render target %dx%d: the driver cannot make it: try a smaller --size or another "
+           report("float target %dx%d: the driver cannot make it: try a smaller --size or another "
                   "--backend",
                   width, height);
 }

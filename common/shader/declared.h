@@ -16,8 +16,8 @@ enum declared_kind {
     DECLARED_BLOCK // a block of inputs, outputs or uniforms
 };
 
-// A declared name, and the state of an iteration over all declared names. Begin with a struct of
-// zeros in which only code is set.
+// A declared name, and the state of an iteration over all declared names. Begin with a
+// zero-initialised struct in which only code is set.
 struct declared {
     const struct glsl *code;
     enum declared_kind kind;

@@ -4,7 +4,7 @@
 
 #include "shader/glsl.h"
 
-// Begin with a struct of zeros.
+// Begin with a zero-initialised struct.
 struct edits {
     struct edit *item; // owned
     int count;

@@ -130,8 +130,8 @@ static int mentions(const struct export *e, const char *name)
 }
 
 // Write the constant that replaces a uniform of the course, and the rest of its line. Write nothing
-// if Shadertoy declares the uniform, or if the uniform's value changes with each draw and
-// only its declaration mentions it. Returns false for any other uniform.
+// if Shadertoy declares the uniform, or if the uniform's value changes with each draw and only its
+// declaration mentions it. Returns false for any other uniform.
 static bool put_uniform(struct export *e, const struct glsl_token *uniform)
 {
     const struct glsl_token *name = uniform + 2, *end = uniform;

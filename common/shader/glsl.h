@@ -89,7 +89,7 @@ void glsl_end(struct glsl_reader *reader);
 // Add a line to the text as a comment, without tokens.
 void glsl_take_comment(struct glsl_reader *reader, const char **c);
 
-// Scan a text. Free with glsl_free, which also accepts a struct of zeros.
+// Scan a text. Free with glsl_free, which also accepts a zero-initialised struct.
 void glsl_read(struct glsl *code, const char *text);
 void glsl_free(struct glsl *code);
 

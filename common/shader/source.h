@@ -86,7 +86,7 @@ int shader_find_texture(struct shader_source *source, int from, const char *name
 // Do the same for a picture that is named on the command line and may be in any folder.
 int shader_take_texture(struct shader_source *source, const char *path, char why[TEXT_FILE_WHY]);
 
-// Free a source. A source of zeros is allowed.
+// Free a source. A zero-initialised source is allowed.
 void shader_free(struct shader_source *source);
 
 // Report an error with the author's file and line. Always returns false.

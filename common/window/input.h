@@ -10,7 +10,7 @@
 #define WINDOW_INPUT_EVENTS 64 // maximum between two frames; further events are dropped
 
 enum window_event_kind {
-    EVENT_KEY,          // amount: GLFW's key; shifted and repeated are set too
+    EVENT_KEY,          // amount: GLFW's key code; shifted and repeated are set too
     EVENT_TYPED,        // amount: a character's code, or a code such as INPUT_ENTER
     EVENT_PRESS,        // amount: 0 for the left button, 1 for the right one
     EVENT_DOUBLE_PRESS, // the second press of a double click

@@ -35,7 +35,7 @@
 #define RESOLUTION_QUICK    0.06
 #define RESOLUTION_COARSEST 12 // level at which each side is an eighth as long
 
-// A struct of zeros is at full resolution and knows no cost.
+// A zero-initialised struct is at full resolution and knows no cost.
 struct resolution {
     int level;
     double cost[3]; // seconds per pixel of the last three frames, the newest first
@@ -64,8 +64,8 @@ double resolution_cost(const struct resolution *resolution);
 // Returns the level, which is also stored in resolution->level.
 int resolution_choose(struct resolution *resolution, double pixels, double enlarge);
 
-// The cost of enlarging, and the filter in use. A struct of zeros knows no cost and uses the edge
-// filter.
+// The cost of enlarging, and the filter in use. A zero-initialised struct knows no cost and uses
+// the edge filter.
 struct enlarging {
     double cost[3]; // seconds per pixel of the window that the edge filter took, or would have
                     // taken, in the last three frames; 0 before they are known

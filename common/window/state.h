@@ -151,7 +151,7 @@ struct window {
     } handles;
     // The selected ray.
     struct {
-        struct renderer_eye eye; // the ray's camera, fixed while the picture's camera moves
+        struct renderer_eye eye; // the ray's camera and lens, fixed while the picture's change
         double position[2];      // of the ray's pixel from the centre, in half picture heights
         struct probe *probe;     // owned
         bool follow;             // the ray must be marched again

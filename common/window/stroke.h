@@ -17,7 +17,7 @@ void window_stroke_input(struct window *window, const struct window_event *event
 // Call this once per iteration of the main loop, after the events.
 void window_stroke_rest(struct window *window);
 
-// Undo at most this many of the last strokes. Nothing happens while a stroke is being made.
+// Take back at most this many of the last strokes. Nothing happens while a stroke is being made.
 void window_take_back(struct window *window, int count);
 
 #endif

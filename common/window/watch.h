@@ -13,7 +13,7 @@ struct watch_file {
     bool kept;                // added since watch_begin
 };
 
-// A set of files. A struct of zeros is an empty set.
+// A set of files. A zero-initialised struct is an empty set.
 struct watch {
     struct watch_file *file; // owned
     int count;

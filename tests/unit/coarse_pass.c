@@ -193,7 +193,7 @@ TEST(test_a_driver_that_cannot_make_the_table_is_reported)
     gpu.context.gl.CheckFramebufferStatus = no_target;
     capture_begin();
     assert_false(renderer_draw(&gpu.renderer, &inputs, 0, inputs.height));
-    assert_non_null(strstr(capture_end(), "render target 88x67: the driver cannot make it"));
+    assert_non_null(strstr(capture_end(), "float target 88x67: the driver cannot make it"));
     gpu.context.gl.CheckFramebufferStatus = real;
     free(gpu_numbers(&inputs));
 }
