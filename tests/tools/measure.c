@@ -208,7 +208,7 @@ static int print_shadows(void)
     print_wall();
     printf("# visible share of the sun: formula minus truth; the sun has a radius of 0.04 and is "
            "29 degrees high\n");
-    printf("scene,formula,mean,mean absolute,worst\n");
+    printf("scene,formula,mean,mean absolute value,worst\n");
     for (int obstacle = 0; obstacle < SHADOW_OBSTACLES; obstacle++)
         for (int formula = 0; formula < SHADOW_FORMULAS; formula++) {
             error = shadow_error_of((enum shadow_obstacle)obstacle, (enum shadow_formula)formula);

@@ -267,7 +267,7 @@ await page.locator('a.begin').click();
 await page.waitForSelector('.live-window.live-editing .cm-content');
 check('the button on the front page starts the program of a ball and opens it in the editor', new URL(page.url()).pathname === '/play.html' && /sdSphere/.test(await page.locator('.cm-content').textContent()));
 const [left, right] = [await page.locator('.live-canvas').boundingBox(), await page.locator('.live-editor').boundingBox()];
-check('the editor is on the right of the picture', right.x >= left.x + left.width, left, right);
+check('the editor is to the right of the picture', right.x >= left.x + left.width, left, right);
 check('the button that selects a file has the font of the page', await page.evaluate(() => getComputedStyle(document.querySelector('#file'), '::file-selector-button').fontFamily === getComputedStyle(document.body).fontFamily));
 check('the console reports no error', said.length === 0, said);
 await page.close();

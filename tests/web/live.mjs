@@ -16,8 +16,8 @@ async function chapter(stem, context = {}) {
     await whole(opened.page);
     return opened;
 }
-// The state of the program in the page; null if no program has been loaded. until returns this state once `right` is
-// true of it, or when time runs out.
+// The state of the program in the page; null if no program has been loaded. The function until returns this state once
+// the program runs and `right` is true of the state, or when time runs out.
 const stateOf = (page) => page.evaluate(() => [...document.querySelectorAll('live-chapter')].map((one) => one.program).find(Boolean)?.state() ?? null);
 async function until(page, right) {
     for (let begun = Date.now(); ;) {

@@ -283,7 +283,7 @@ for (const [name, shader] of Object.entries({
     check(name, got.status === 0 && got.drawn === 1, got.lines);
 }
 const implicit = await drawText('x_implicit.frag', 'void mainImage(out vec4 c, in vec2 p) {\n    int n = 1;\n    float x = n;\n    c = vec4(x);\n}\n');
-check('an error in GLSL ES is reported with its line number', implicit.status === 1 && /x_implicit\.frag:3/.test(implicit.lines.join('\n')), implicit.lines);
+check('code that GLSL ES refuses is reported with its line number', implicit.status === 1 && /x_implicit\.frag:3/.test(implicit.lines.join('\n')), implicit.lines);
 check('the console reports no error', said.length === 0, said);
 
 // ---- A device that cannot blend float targets ----

@@ -266,7 +266,7 @@ static void assert_panel(int x, int y, bool there)
     assert_true((sum / 50.0 < 128.0) == there);
 }
 
-SESSION_TEST(the_panel_moves_folds_and_helps)
+SESSION_TEST(the_panel_moves_collapses_and_helps)
 {
     open_rows(1);
     session_keep(0);
@@ -301,7 +301,7 @@ SESSION_TEST(the_panel_moves_folds_and_helps)
     drag(400, 16, -170, 0);
     point(400, 200);
     assert_panel(20, 100, true);
-    int x = 250; // the mark that folds the panel is at the right end of the title
+    int x = 250; // the mark that collapses the panel is at the right end of the title
     do {
         session_click(x -= 10, 20);
         point(400, 200);
