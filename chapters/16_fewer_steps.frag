@@ -51,7 +51,7 @@ float bar(vec3 p, float width, float height)
     return sdBox(p, vec3(width, height, width));
 }
 
-// The deck, its rails and their posts, the piles, and the masts with lanterns, for x >= 0.
+// The walk, its rails and their posts, the piles, and the masts with lanterns, for x >= 0.
 float pierDistance(vec3 p)
 {
     float deck = sdBox(p - vec3(0.0, -0.06, -16.5), vec3(1.4, 0.06, 24.0));

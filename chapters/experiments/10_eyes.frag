@@ -8,7 +8,7 @@
 uniform bool workshop; // false: the workshop's colours, green outside and red inside, instead of the chapter's
 uniform int  eye;      // 2 in [0, 2]: 0 all cones, 1 no long-wave cones, 2 no medium-wave cones
 
-// The linear light that an eye sees without long-wave or medium-wave cones: three factors each for red, green and blue.
+// The linear light that an eye without long-wave or medium-wave cones sees: three factors each for red, green and blue.
 // Source: G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, 'A physiologically-based model for simulation of color
 // vision deficiency', IEEE Transactions on Visualization and Computer Graphics 15 (2009).
 const mat3 NO_LONG = mat3(0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998);

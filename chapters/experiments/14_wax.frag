@@ -81,7 +81,7 @@ float sceneDistance(vec3 p)
 struct Spot {
     vec3  p, normal, colour;
     vec3  depth;  // the path inside after which 1 / e of the light is left, scene units; 0 if opaque
-    float radius; // of the pixel's footprint at p
+    float radius; // radius of the pixel's footprint at p
 };
 
 Spot spotAt(Ray ray, float t)

@@ -1,5 +1,5 @@
 // Experiment of chapter 15: the workshop's contrast, smoothstep(0, 1, colour), applied to the light
-// or to the encoded numbers. The film's curve is left out, because it also raises the contrast.
+// or to the encoded values. The film's curve is left out, because it also raises the contrast.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "15_the_picture.frag"

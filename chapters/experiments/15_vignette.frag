@@ -6,7 +6,7 @@
 #include "15_the_picture.frag"
 #undef rayColour
 
-uniform bool  lens;     // false: the light falls off as cos^4; otherwise the encoded numbers are darkened
+uniform bool  lens;     // false: the light falls off as cos^4; otherwise the encoded values are darkened
 uniform float strength; // 0.5 in [0, 1] step 0.05: how much the corners are darkened
 
 vec3 rayColour(Ray ray)

@@ -1,8 +1,8 @@
 // The report's figure 10, redrawn: Sierpinski's pyramid in a parallel view, with the light and the
 // shadow of the figure.
 //
-// The pyramid rests on an edge, as in the formula for its distance; its corners are (1, 1, 1), (1,
-// -1, -1), (-1, 1, -1) and (-1, -1, 1).
+// The pyramid rests on an edge, as in the formula for its distance; its corners are (1, 1, 1),
+// (1, -1, -1), (-1, 1, -1) and (-1, -1, 1).
 #include "main.glsl"         // main(): calls pixelRay, then rayColour
 #include "orthographic.glsl" // orthographicRay
 #include "cone.glsl"         // march, coneReaching

@@ -7,7 +7,7 @@
 
 uniform vec2 eye;           // (-1.1, 0.85) handle: where the rays start
 uniform vec2 ball;          // (0.75, 0.5) handle: centre of a ball
-uniform float shadowOffset; // 0.5 in [0, 1.5] step 0.05, times the threshold: height at which a shadow ray starts
+uniform float shadowOffset; // 0.5 in [0, 1.5] step 0.05, times the threshold: start of a shadow ray above the hit
 
 const float FLOOR = 0.0, AXIS = -0.9, ONE = 0.34, THRESHOLD = 0.003; // ONE: height of one threshold in the graph
 

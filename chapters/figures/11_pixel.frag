@@ -4,7 +4,7 @@
 #include "figure.glsl"
 #include "checkers.glsl" // checkers
 
-uniform vec2 eye;        // (-0.35, -0.85) handle units: the floor below the eye, which looks towards the top
+uniform vec2 eye;        // (-0.35, -0.85) handle units: point on the floor below the eye, which looks towards the top
 uniform vec2 pixel;      // (0.35, 0.3) handle units: the middle of the pixel
 uniform float height;    // 0.5 in [0.1, 1.5] step 0.05, units: height of the eye above the floor
 uniform float pixelSize; // 0.12 in [0.01, 0.3] step 0.01: side of a pixel on a screen at the distance 1

@@ -32,8 +32,8 @@ vec3 skyDirection(vec2 local)
 vec3 halfColour(sampler2D table, vec3 direction, vec3 toSun, float level)
 {
     float y = max(direction.y, 0.0), both = sqrt(max((1.0 - y * y) * (1.0 - toSun.y * toSun.y), 0.0));
-    vec2 local = skyUV(toSun.y, y);
-    return tableLight(table, local, y * toSun.y + level * both, skyScale(toSun.y, local.y));
+    vec2 uv = skyUV(toSun.y, y);
+    return tableLight(table, uv, y * toSun.y + level * both, skyScale(toSun.y, uv.y));
 }
 
 vec3 rayColour(Ray ray)

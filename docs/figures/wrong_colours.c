@@ -91,11 +91,10 @@ static void draw_channels(const struct svg_plot *plot, double (*channel)(int, do
 static void sky(double top)
 {
     struct svg_plot plot[2];
-    const char *const words[4] = {
-        "report: green, blue times &#10216;up, ray direction&#10217;",
-        "Negative all day long: the sky at noon is red.",
-        "correct: each channel times exp(&#8722;&#964; (m &#8722; 1))",
-        "Blue by day; red when the sun is low."};
+    const char *const words[4] = {"report: green, blue times &#10216;up, ray direction&#10217;",
+                                  "Negative all day long: the sky at noon is red.",
+                                  "correct: each channel times exp(&#8722;&#964; (m &#8722; 1))",
+                                  "Blue by day; red when the sun is low."};
     svg_pair(top, "3.4 &#160; The sky's red, green and blue, for a sun 0&#176; to 90&#176; high",
              words, (double[]){-14.0, 112.0}, (double[]){-1.25, 1.3}, plot);
     draw_axes(&plot[0], -5.0);
