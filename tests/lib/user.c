@@ -51,6 +51,11 @@ void user_key(int key, int modifiers)
     user_release(key);
 }
 
+void user_repeat(int key, int modifiers)
+{
+    user.calls.key(&the, key, 0, GLFW_REPEAT, modifiers);
+}
+
 void user_type(const char *text)
 {
     for (const char *c = text; *c != '\0'; c++)
@@ -95,6 +100,17 @@ void user_resize(int width, int height)
     user.size[0] = width;
     user.size[1] = height;
     user.calls.damage(&the);
+}
+
+void user_focus(bool focused)
+{
+    user.unfocused = !focused;
+    user.calls.focus(&the, focused);
+}
+
+void user_enter(bool entered)
+{
+    user.calls.entered(&the, entered);
 }
 
 // ---- What the window shows ----
@@ -146,6 +162,49 @@ static void link_program(GLuint program)
     the.context.gl.LinkProgram(program);
 }
 
+// Count the objects of each kind that the program makes and deletes.
+#define COUNT_OBJECTS(kind, Kind)                                                                  \
+    static void make_##kind(GLsizei count, GLuint *names)                                          \
+    {                                                                                              \
+        user.objects += count;                                                                     \
+        the.context.gl.Gen##Kind(count, names);                                                    \
+    }                                                                                              \
+    static void delete_##kind(GLsizei count, const GLuint *names)                                  \
+    {                                                                                              \
+        for (GLsizei i = 0; i < count; i++)                                                        \
+            user.objects -= names[i] != 0;                                                         \
+        the.context.gl.Delete##Kind(count, names);                                                 \
+    }
+COUNT_OBJECTS(textures, Textures)
+COUNT_OBJECTS(framebuffers, Framebuffers)
+COUNT_OBJECTS(buffers, Buffers)
+COUNT_OBJECTS(vertex_arrays, VertexArrays)
+#undef COUNT_OBJECTS
+
+static GLuint create_program(void)
+{
+    user.objects++;
+    return the.context.gl.CreateProgram();
+}
+
+static void delete_program(GLuint program)
+{
+    user.objects -= program != 0;
+    the.context.gl.DeleteProgram(program);
+}
+
+static GLuint create_shader(GLenum kind)
+{
+    user.objects++;
+    return the.context.gl.CreateShader(kind);
+}
+
+static void delete_shader(GLuint shader)
+{
+    user.objects -= shader != 0;
+    the.context.gl.DeleteShader(shader);
+}
+
 void user_look(struct image *image)
 {
     const struct gl *gl = &the.context.gl;
@@ -160,11 +219,31 @@ void user_look(struct image *image)
 
 GLFWglproc glfwGetProcAddress(const char *name)
 {
-    return strcmp(name, "glBindFramebuffer") == 0 ? (GLFWglproc)bind
-           : strcmp(name, "glDrawArrays") == 0    ? (GLFWglproc)draw
-           : strcmp(name, "glFinish") == 0        ? (GLFWglproc)finish
-           : strcmp(name, "glLinkProgram") == 0   ? (GLFWglproc)link_program
-                                                  : (GLFWglproc)the.context.driver->find(name);
+    static const struct {
+        const char *name;
+        GLFWglproc function;
+    } replaced[] = {
+        {"glBindFramebuffer", (GLFWglproc)bind},
+        {"glDrawArrays", (GLFWglproc)draw},
+        {"glFinish", (GLFWglproc)finish},
+        {"glLinkProgram", (GLFWglproc)link_program},
+        {"glCreateProgram", (GLFWglproc)create_program},
+        {"glDeleteProgram", (GLFWglproc)delete_program},
+        {"glCreateShader", (GLFWglproc)create_shader},
+        {"glDeleteShader", (GLFWglproc)delete_shader},
+        {"glGenTextures", (GLFWglproc)make_textures},
+        {"glDeleteTextures", (GLFWglproc)delete_textures},
+        {"glGenFramebuffers", (GLFWglproc)make_framebuffers},
+        {"glDeleteFramebuffers", (GLFWglproc)delete_framebuffers},
+        {"glGenBuffers", (GLFWglproc)make_buffers},
+        {"glDeleteBuffers", (GLFWglproc)delete_buffers},
+        {"glGenVertexArrays", (GLFWglproc)make_vertex_arrays},
+        {"glDeleteVertexArrays", (GLFWglproc)delete_vertex_arrays},
+    };
+    for (size_t i = 0; i < sizeof replaced / sizeof *replaced; i++)
+        if (strcmp(name, replaced[i].name) == 0)
+            return replaced[i].function;
+    return (GLFWglproc)the.context.driver->find(name);
 }
 
 // ---- The window ----

@@ -30,6 +30,7 @@ struct user {
     char title[400];
     int frames, waits; // frames shown so far; waits for events so far
     int links;         // shader programs linked so far
+    int objects;       // OpenGL objects made and not yet deleted: textures, programs, ...
     int cursor;        // shape of the cursor; 0 for the default
     int hint[USER_HINTS][2], hints;
     struct {
@@ -56,6 +57,9 @@ void user_press(int key, int modifiers);
 void user_release(int key);
 void user_key(int key, int modifiers);
 
+// Hold a key until the keyboard repeats it.
+void user_repeat(int key, int modifiers);
+
 // Type letters, with one event for each.
 //   text  in ISO 8859-1
 void user_type(const char *text);
@@ -75,6 +79,11 @@ void user_wheel(double notches);
 
 // Give the window a new size: its contents are lost, and the program is notified at once.
 void user_resize(int width, int height);
+
+// Give the window the keyboard focus, or take it away; move the pointer into the window, or out of
+// it.
+void user_focus(bool focused);
+void user_enter(bool entered);
 
 // Read what the window shows; the caller frees image.
 void user_look(struct image *image);

@@ -76,7 +76,7 @@ static double travelled(void)
 // reports the focus.
 TEST_WITH(a_drag_right_after_the_focus_turns_the_camera, set_up, NULL)
 {
-    user.calls.focus(NULL, GLFW_TRUE);
+    user_focus(true);
     user.pointer[0] = 140;
     user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_PRESS);
     user_point(140, 100);
@@ -87,7 +87,7 @@ TEST_WITH(a_drag_right_after_the_focus_turns_the_camera, set_up, NULL)
 TEST_WITH(a_free_pointer_does_not_turn_the_camera, set_up, NULL)
 {
     user_point(200, 150);
-    user.calls.focus(NULL, GLFW_FALSE);
+    user_focus(false);
     user_point(20, 50);
     assert_turned(10, 20);
 }
@@ -237,7 +237,7 @@ TEST_WITH(a_stall_of_the_machine_hardly_moves_the_camera, set_up, NULL)
 TEST_WITH(losing_the_focus_releases_the_keys, set_up, NULL)
 {
     user_press(GLFW_KEY_W, 0);
-    user.calls.focus(NULL, GLFW_FALSE);
+    user_focus(false);
     user.now = 0.05;
     assert_true(travelled() <= 0.0);
 }

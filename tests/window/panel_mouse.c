@@ -273,7 +273,7 @@ SESSION_TEST(the_panel_moves_collapses_and_helps)
     point(60, 50);
     session_wait(2.0);
     assert_true(session_off(0, NULL) > 0.001); // the row's help is shown
-    user.calls.entered(NULL, GLFW_FALSE);      // the pointer leaves the window
+    user_enter(false);                         // the pointer leaves the window
     session_wait(0.5);
     assert_true(session_off(0, (const int[]){0, 44, 480, 226}) <= 0.0);
     user_click(60, 98, GLFW_MOUSE_BUTTON_LEFT);

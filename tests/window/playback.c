@@ -72,7 +72,7 @@ SESSION_TEST(keys_step_along_the_march)
     press_and_see(GLFW_KEY_Q, RAY " --view slice --step 0");
     press_and_see(GLFW_KEY_PAGE_DOWN, RAY " --view slice --step 1");
     press_and_see(GLFW_KEY_PAGE_UP, RAY " --view slice --step 0");
-    user.calls.key(NULL, GLFW_KEY_E, 0, GLFW_REPEAT, 0); // a held key repeats
+    user_repeat(GLFW_KEY_E, 0); // a held key repeats
     session_turn();
     session_assert_shown(CHAPTER, RAY " --view slice --step 1");
     press_and_see(GLFW_KEY_END, last);
