@@ -225,25 +225,29 @@ static bool is_alike(const struct scene *a, const struct scene *b)
     return alike;
 }
 
-// If another scene with the same shaders and textures is compiled, move its pictures to this
-// scene.
-static void take_pictures(struct lecture *lecture, struct scene *to)
+// Find another compiled scene with the same shaders and textures. Returns NULL if there is none.
+static struct scene *alike_of(struct lecture *lecture, const struct scene *to)
 {
     for (int i = 0; i < lecture->count; i++) {
         struct scene *from = &lecture->scene[i];
-        if (from == to || !is_compiled(from) || !is_alike(from, to))
-            continue;
-        for (int k = 0; k < 2; k++) {
-            loader_close(&to->run.picture[k]);
-            to->run.picture[k] = from->run.picture[k];
-            from->run.picture[k] = (struct loader){0};
-        }
-        return;
+        if (from != to && is_compiled(from) && is_alike(from, to))
+            return from;
+    }
+    return NULL;
+}
+
+static void move_renderers(struct scene *from, struct scene *to)
+{
+    for (int i = 0; i < 2; i++) {
+        struct loader *picture = &to->run.picture[i];
+        loader_close(picture);
+        picture->renderer = from->run.picture[i].renderer;
+        from->run.picture[i].renderer = (struct renderer){0};
     }
 }
 
 // Read a scene's shaders again, set its values, and compile what has changed. Returns false after
-// reporting the error with the scene's line.
+// reporting the error with the scene's line; then all renderers draw what they drew before.
 static bool compile(struct lecture *lecture, struct scene *scene)
 {
     begin_line(lecture, scene->line);
@@ -252,6 +256,19 @@ static bool compile(struct lecture *lecture, struct scene *scene)
     bool done =
         run_read_shaders(&scene->run) == RUN_DONE && run_compile(&scene->run, &lecture->context.gl);
     report_location(NULL);
+    return done;
+}
+
+// Compile a scene, with the renderers of another scene if that has the same shaders and textures.
+// If this fails, they are given back, because the other scene may be the one that is shown.
+static bool compile_with(struct lecture *lecture, struct scene *scene)
+{
+    struct scene *lender = is_compiled(scene) ? NULL : alike_of(lecture, scene);
+    if (lender != NULL)
+        move_renderers(lender, scene);
+    bool done = compile(lecture, scene);
+    if (lender != NULL && !done)
+        move_renderers(scene, lender);
     return done;
 }
 
@@ -301,9 +318,7 @@ static void compile_ahead(struct lecture *lecture)
 static bool show(struct lecture *lecture, bool from_behind)
 {
     struct scene *scene = &lecture->scene[lecture->at];
-    if (!is_compiled(scene))
-        take_pictures(lecture, scene);
-    if (!compile(lecture, scene))
+    if (!compile_with(lecture, scene))
         return false;
     scene->start = run_window_start(&scene->run);
     scene->start.caption = scene->caption;

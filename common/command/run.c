@@ -145,12 +145,7 @@ int run_read_shaders(struct run *run)
 static bool open_renderer(struct run *run, int number, const struct gl *gl)
 {
     struct renderer *renderer = &run->picture[number].renderer;
-    if (renderer->gl == NULL && !renderer_open(renderer, gl, run->root))
-        return false;
-    renderer->comparison = NULL;
-    renderer->sculpture.tool = run->tool;
-    renderer->view = run->options.view;
-    return true;
+    return renderer->gl != NULL || renderer_open(renderer, gl, run->root);
 }
 
 bool run_begin(struct run *run, const struct gl *gl)
@@ -159,6 +154,7 @@ bool run_begin(struct run *run, const struct gl *gl)
     for (int i = 0; i < (run->options.compares ? 2 : 1); i++) {
         if (!open_renderer(run, i, gl))
             return false;
+        run->picture[i].renderer.view = run->options.view;
         loader_begin(&run->picture[i]);
     }
     return true;
@@ -168,9 +164,17 @@ bool run_compile(struct run *run, const struct gl *gl)
 {
     const struct options *options = &run->options;
     struct renderer *first = &run->picture[0].renderer;
-    for (int i = 0; i < (options->compares ? 2 : 1); i++)
-        if (!open_renderer(run, i, gl) || !loader_update(&run->picture[i]))
+    int pictures = options->compares ? 2 : 1;
+    for (int i = 0; i < pictures; i++)
+        if (!open_renderer(run, i, gl) || !loader_link(&run->picture[i], options->view))
             return false;
+    for (int i = 0; i < pictures; i++) {
+        struct renderer *renderer = &run->picture[i].renderer;
+        loader_take(&run->picture[i]);
+        renderer->comparison = NULL;
+        renderer->sculpture.tool = run->tool;
+        renderer->view = options->view;
+    }
     if (!options->compares)
         return true;
     run->comparison =

@@ -59,7 +59,7 @@ bool run_begin(struct run *run, const struct gl *gl);
 // Compile the shaders that were read, and put the second picture beside the first. A renderer that
 // is already open is kept, and a shader that it already has is not compiled again.
 //   gl  must outlive the run
-// Returns false after reporting the error.
+// Returns false after reporting the error; then open renderers draw what they drew before.
 bool run_compile(struct run *run, const struct gl *gl);
 
 // Return the initial state of this run's window. The state points into the run.

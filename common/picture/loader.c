@@ -23,21 +23,32 @@ bool loader_compile(struct loader *loader)
     return renderer_load(&loader->renderer, &loader->source, &loader->parameters);
 }
 
-bool loader_update(struct loader *loader)
+bool loader_link(struct loader *loader, enum shader_view view)
 {
     struct renderer *renderer = &loader->renderer;
     const char *has = renderer->fragment.text;
-    if (has == NULL || strcmp(has, loader->source.text) != 0)
-        return loader_compile(loader);
+    renderer_drop(&loader->next);
+    if (has != NULL && strcmp(has, loader->source.text) == 0)
+        return renderer_link(renderer, view);
+    return renderer_prepare(renderer, &loader->next, view, &loader->source, &loader->parameters);
+}
+
+void loader_take(struct loader *loader)
+{
+    struct renderer *renderer = &loader->renderer;
+    if (loader->next.gl != NULL) {
+        renderer_take(renderer, &loader->next);
+        return;
+    }
     parameters_free(&renderer->parameters);
     renderer->parameters = loader->parameters;
     loader->parameters = (struct parameters){0};
     shader_free(&loader->source);
-    return renderer_link(renderer, renderer->view);
 }
 
 void loader_close(struct loader *loader)
 {
+    renderer_drop(&loader->next);
     renderer_close(&loader->renderer);
     shader_free(&loader->source);
     parameters_free(&loader->parameters);

@@ -16,6 +16,7 @@ struct loader {
     struct shader_source source;   // the shader that was read, until the renderer takes it over
     struct parameters parameters;
     struct renderer renderer;
+    struct renderer next; // a shader that loader_link has linked; closed if there is none
 };
 
 // Read the file and its parameters, and free the results of an earlier call. The renderer does not
@@ -31,9 +32,12 @@ void loader_begin(const struct loader *loader);
 // Returns false after reporting the error; then the renderer still draws the last good shader.
 bool loader_compile(struct loader *loader);
 
-// Do the same as loader_compile, unless the renderer already has exactly this shader: then only
-// pass the parameters that were read to the renderer, and link its view.
-bool loader_update(struct loader *loader);
+// Do the same in two steps, for shaders of which either all or none must be loaded; the parameters
+// then have the values that were read. loader_link links a view, and changes nothing that is drawn.
+// Returns false after reporting the error. Then nothing may be drawn until loader_take loads the
+// shader. If the renderer already has exactly this shader, only the parameters change.
+bool loader_link(struct loader *loader, enum shader_view view);
+void loader_take(struct loader *loader);
 
 // Free everything, and close the renderer. The context must be that in which the renderer was
 // opened.

@@ -2,13 +2,20 @@
 
 #include <string.h>
 
+// A shader may write any number into the global variable trace.
+static int count_of(float value)
+{
+    return value >= 0.0f && value < 1e9f ? (int)value : value >= 1e9f ? 1000000000 : 0;
+}
+
 void probe_unpack(struct probe *probe, const float *values)
 {
     const float(*row)[PROBE_STEPS][4] = (const float(*)[PROBE_STEPS][4])values;
-    probe->steps = (int)row[0][0][2];
-    probe->end = (enum probe_end)(int)row[0][0][3];
-    probe->all_steps = (int)row[2][0][0];
-    probe->evaluations = (int)row[2][0][1];
+    int end = count_of(row[0][0][3]);
+    probe->end = end <= PROBE_GAVE_UP ? (enum probe_end)end : PROBE_NO_MARCH;
+    probe->steps = count_of(row[0][0][2]);
+    probe->all_steps = count_of(row[2][0][0]);
+    probe->evaluations = count_of(row[2][0][1]);
     probe->recorded = true;
     memcpy(probe->interval, &row[2][0][2], sizeof probe->interval);
     for (int k = 0; k < PROBE_STEPS; k++) {

@@ -28,11 +28,12 @@ static struct target *target_of(struct renderer *renderer, int number)
 
 bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *root)
 {
-    *renderer = (struct renderer){.gl = gl, .root = root, .focal_length = RENDERER_FOCAL_LENGTH};
     char path[4096];
+    *renderer = (struct renderer){.root = root, .focal_length = RENDERER_FOCAL_LENGTH};
     snprintf(path, sizeof path, "%s/shaders/screen.vert", root);
     if (!shader_read(&renderer->vertex, path, root))
         return false;
+    renderer->gl = gl;
     gl->GenVertexArrays(1, &renderer->vertex_array);
     GLenum format = target_format(gl);
     for (int i = 0; i < TARGETS; i++)
@@ -64,28 +65,54 @@ void renderer_close(struct renderer *renderer)
     *renderer = (struct renderer){0};
 }
 
+bool renderer_prepare(const struct renderer *renderer, struct renderer *next, enum shader_view view,
+                      struct shader_source *source, struct parameters *parameters)
+{
+    struct textures textures;
+    if (!textures_load(&textures, renderer->gl, &parameters->samplers, source))
+        return false;
+    *next = *renderer;
+    next->textures = textures;
+    next->fragment = *source;
+    next->parameters = *parameters;
+    next->sculpture = (struct sculpture){.tool = renderer->sculpture.tool};
+    next->view = view;
+    memset(next->program, 0, sizeof next->program);
+    memset(next->location, 0, sizeof next->location);
+    if (!renderer_link(next, view)) {
+        renderer_unlink(next);
+        textures_free(&next->textures, next->gl);
+        *source = next->fragment;
+        *next = (struct renderer){0};
+        return false;
+    }
+    *source = (struct shader_source){0};
+    *parameters = (struct parameters){0};
+    return true;
+}
+
+void renderer_take(struct renderer *renderer, struct renderer *next)
+{
+    unload(renderer);
+    *renderer = *next;
+    *next = (struct renderer){0};
+}
+
+void renderer_drop(struct renderer *next)
+{
+    if (next->gl != NULL)
+        unload(next);
+    *next = (struct renderer){0};
+}
+
 bool renderer_load(struct renderer *renderer, struct shader_source *source,
                    struct parameters *parameters)
 {
-    struct renderer next = *renderer;
-    if (!textures_load(&next.textures, next.gl, &parameters->samplers, source))
+    struct renderer next;
+    if (!renderer_prepare(renderer, &next, renderer->view, source, parameters))
         return false;
-    next.fragment = *source;
-    next.parameters = *parameters;
-    next.sculpture = (struct sculpture){.tool = renderer->sculpture.tool};
-    memset(next.program, 0, sizeof next.program);
-    memset(next.location, 0, sizeof next.location);
-    if (!renderer_link(&next, next.view)) {
-        renderer_unlink(&next);
-        textures_free(&next.textures, next.gl);
-        *source = next.fragment;
-        return false;
-    }
     parameters_keep(&next.parameters, &renderer->parameters);
-    unload(renderer);
-    *renderer = next;
-    *source = (struct shader_source){0};
-    *parameters = (struct parameters){0};
+    renderer_take(renderer, &next);
     return true;
 }
 
@@ -108,7 +135,8 @@ int renderer_split(const struct renderer *renderer, int width)
 
 struct renderer *renderer_at(struct renderer *renderer, int width, int x)
 {
-    return x < renderer_split(renderer, width) ? renderer : renderer->comparison->other;
+    bool first = renderer->comparison == NULL || x < renderer_split(renderer, width);
+    return first ? renderer : renderer->comparison->other;
 }
 
 // Draw all samples of the tile that the scissor selects. Blending averages the samples: it adds

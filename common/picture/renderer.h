@@ -106,7 +106,7 @@ enum renderer_uniform { RENDERER_UNIFORMS(RENDERER_UNIFORM) RENDERER_UNIFORM_COU
 // Everything needed to draw one shader file. A renderer is opened once; a shader is loaded into it,
 // and loaded again when the shader's file changes.
 struct renderer {
-    const struct gl *gl;
+    const struct gl *gl; // NULL while the renderer is closed
     const char *root;
     struct shader_source vertex;   // shaders/screen.vert
     struct shader_source fragment; // the last fragment shader that compiled
@@ -139,7 +139,8 @@ struct renderer {
 
 // Create the triangle's vertex array and the targets, and read shaders/screen.vert.
 //   gl, root  must outlive the renderer
-// Returns false after reporting the error. Close with renderer_close in the same context.
+// Returns false after reporting the error; then the renderer is closed. Close an open one with
+// renderer_close in the same context.
 bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *root);
 void renderer_close(struct renderer *renderer);
 
@@ -150,6 +151,16 @@ void renderer_close(struct renderer *renderer);
 // still draws the last good shader.
 bool renderer_load(struct renderer *renderer, struct shader_source *source,
                    struct parameters *parameters);
+
+// The same in two steps, for shaders of which either all or none must be loaded; the parameters
+// have the values of the file. renderer_prepare changes only next, which is closed after an error.
+// Then nothing may be drawn until renderer_take loads the shader, or renderer_drop frees it; next
+// may be closed.
+//   view  the view that is linked
+bool renderer_prepare(const struct renderer *renderer, struct renderer *next, enum shader_view view,
+                      struct shader_source *source, struct parameters *parameters);
+void renderer_take(struct renderer *renderer, struct renderer *next);
+void renderer_drop(struct renderer *next);
 
 // Choose the view, in both pictures of a comparison, and link the view's program if it has not been
 // linked yet. If a shader has no such view or the view does not link, reports the error, keeps the
@@ -193,7 +204,7 @@ bool renderer_sharp_picture(struct renderer *renderer, struct image *image);
 
 // renderer_split returns the first column of the second picture, in pictures of this width in
 // pixels, or the width if there is no second picture. renderer_at returns the renderer that draws
-// column x.
+// column x; columns left of the picture count as the first, and those right of it as the last.
 int renderer_split(const struct renderer *renderer, int width);
 struct renderer *renderer_at(struct renderer *renderer, int width, int x);
 

@@ -11,12 +11,6 @@
 
 #define SPACING 0.5 // minimum distance between a stroke's points, divided by the stroke's amount
 
-// Return the renderer of the picture under the pointer.
-static struct renderer *renderer_below(const struct window *window)
-{
-    return renderer_at(window->renderer, window->inputs.width, (int)window->pointer.last[0]);
-}
-
 // Return the parameter that sets the tool's amount, or NULL if there is none.
 static const struct parameter *amount_of(const struct window *window)
 {
@@ -31,18 +25,19 @@ bool window_has_tool(const struct window *window)
            !shader_shows_ray(window->renderer->view);
 }
 
-// Find the point of the volume under the pointer. Returns false if there is no such point.
+// Find the point of the volume under the pointer. Returns false if there is no such point, as when
+// the pointer has been dragged out of the window.
 static bool aim(struct window *window, double point[3])
 {
-    struct renderer *renderer = renderer_below(window);
-    const struct sculpture *sculpture = &renderer->sculpture;
     const struct renderer_inputs *inputs = &window->inputs;
-    int x = (int)floor(window->pointer.last[0]), y = (int)ceil(window->pointer.last[1]) - 1;
-    if (x < 0 || y < 0 || x >= inputs->width || y >= inputs->height)
+    double x = floor(window->pointer.last[0]), y = ceil(window->pointer.last[1]) - 1.0;
+    if (!(x >= 0.0 && y >= 0.0 && x < inputs->width && y < inputs->height))
         return false;
+    struct renderer *renderer = renderer_at(window->renderer, inputs->width, (int)x);
+    const struct sculpture *sculpture = &renderer->sculpture;
     struct probe *probe = memory_zeros(1, sizeof *probe);
     bool met = renderer_sculpt(renderer, inputs) && sculpture->now != NULL &&
-               renderer_march(renderer, inputs, x, y, probe) && probe_rows(probe) > 0;
+               renderer_march(renderer, inputs, (int)x, (int)y, probe) && probe_rows(probe) > 0;
     if (met) {
         struct sculpture_aim aim = {.time = inputs->time, .parameters = &renderer->parameters};
         for (int i = 0; i < 3; i++) {

@@ -391,4 +391,15 @@ TEST(earlier_draws_leave_no_trace)
     free(last);
 }
 
+// Whoever opens renderers when they are needed asks whether gl is NULL.
+TEST(a_renderer_that_cannot_be_opened_is_closed)
+{
+    struct renderer renderer;
+    capture_begin();
+    assert_false(renderer_open(&renderer, &gpu.context.gl, "no/such/folder"));
+    assert_non_null(strstr(capture_end(), "no/such/folder: cannot be read"));
+    assert_null(renderer.gl);
+    renderer_close(&renderer);
+}
+
 TESTS(gpu_setup, gpu_teardown)

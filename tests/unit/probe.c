@@ -59,4 +59,25 @@ TEST(test_probe_has_the_colour_of_the_picture)
     check_colours(&inputs, SHADER_PICTURE);
 }
 
+// A shader may write any number into trace, and a driver returns any number for a NaN.
+TEST(test_a_probe_survives_any_number)
+{
+    static const float wild[] = {-1.0f, 4.0f,   1e6f,     -2147483648.0f, 2147483648.0f,
+                                 3e38f, -3e38f, INFINITY, -INFINITY,      NAN};
+    static float values[3][PROBE_STEPS][4];
+    FILE *file = tmpfile();
+    assert_non_null(file);
+    for (size_t i = 0; i < sizeof wild / sizeof *wild; i++) {
+        values[0][0][2] = values[0][0][3] = values[2][0][0] = values[2][0][1] = wild[i];
+        probe_unpack(&probe, &values[0][0][0]);
+        assert_string_equal(probe_outcome(&probe), "no march");
+        assert_in_range(probe.steps, 0, 1000000000);
+        assert_in_range(probe.all_steps, 0, 1000000000);
+        assert_in_range(probe.evaluations, 0, 1000000000);
+        assert_in_range(probe_rows(&probe), 0, PROBE_STEPS);
+        probe_print(&probe, file);
+    }
+    fclose(file);
+}
+
 TESTS(gpu_setup, gpu_teardown)

@@ -103,7 +103,7 @@ SESSION_TEST(page_keys_change_the_scene)
     session_keep(0);
     assert_scene(stems[1], STILL " --view normals");
     assert_true(session_off(0, (const int[]){9, 152, 50, 18}) > 0.2);
-    user.calls.key(NULL, GLFW_KEY_PAGE_DOWN, 0, GLFW_REPEAT, 0); // a held key has no effect
+    user_repeat(GLFW_KEY_PAGE_DOWN, 0); // a held key has no effect
     turns(2);
     session_assert_shown(stems[1], SIZE STILL " --view normals");
     on();
@@ -132,7 +132,7 @@ SESSION_TEST(a_ray_comes_before_the_next_scene)
     on();
     on();
     session_assert_shown(stems[1], SIZE STILL " --view slice --step 3");
-    user.calls.key(NULL, GLFW_KEY_PAGE_DOWN, 0, GLFW_REPEAT, 0);
+    user_repeat(GLFW_KEY_PAGE_DOWN, 0);
     turns(2);
     session_assert_shown(stems[1], SIZE STILL " --view slice --step 4");
     on(); // the march has five steps
@@ -152,7 +152,7 @@ SESSION_TEST(n_skips_the_steps_of_a_ray)
     key(GLFW_KEY_N, 0);
     assert_scene(stems[1], STILL);
     key(GLFW_KEY_N, 0);
-    user.calls.key(NULL, GLFW_KEY_N, 0, GLFW_REPEAT, 0); // there is no scene after the last
+    user_repeat(GLFW_KEY_N, 0); // there is no scene after the last
     turns(2);
     assert_scene(stems[1], STILL " --view normals");
     key(GLFW_KEY_N, GLFW_MOD_SHIFT);
@@ -250,6 +250,80 @@ SESSION_TEST(a_shader_that_is_saved_during_the_lecture_is_shown)
     assert_non_null(strstr(capture_end(), "undeclared"));
     back();
     assert_scene(stems[1], STILL);
+    close_list();
+}
+
+// Save a shader in the course's dialect, whose parameter shade is the colour of the picture.
+static const char *save_shade(const char *colour)
+{
+    char text[1024];
+    snprintf(text, sizeof text,
+             "#include \"main.glsl\"\n#include \"camera.glsl\"\n"
+             "uniform float shade; // 0 in [0, 1] step 0.2: of the picture\n"
+             "Ray pixelRay(vec2 screen) { return perspectiveRay(screen); }\n"
+             "float sceneDistance(vec3 p) { return length(p); }\n"
+             "vec3 rayColour(Ray ray) { return vec3(%s); }\n",
+             colour);
+    return scratch_write("shade.frag", text);
+}
+
+// Scenes with the same shaders share their renderers, which the scene that stays must get back.
+SESSION_TEST(a_scene_stays_when_the_next_one_does_not_compile)
+{
+    char list[16384];
+    const char *path = save_shade("shade");
+    snprintf(list, sizeof list,
+             "01 --shader %s --set shade=0.2\n01 --shader %s --set shade=0.8 --view normals\n"
+             "01 --shader %s --set shade=0.2 --divider 0.9 --compare %s\n"
+             "01 --shader %s --set shade=0.8 --divider 0.9 --compare %s\n",
+             path, path, path,
+             scratch_write("other.frag", "void mainImage(out vec4 c, vec2 p)"
+                                         "{ c = vec4(1.0); }"),
+             path, scratch_path("other.frag"));
+    open_text(list);
+    assert_int_equal(grey(), 51);
+    key(GLFW_KEY_RIGHT, 0);
+    assert_int_equal(grey(), 102); // the value that the speaker has chosen
+    capture_begin();
+    save_shade("undeclared");
+    on();
+    turns(60);
+    assert_non_null(strstr(capture_end(), "undeclared"));
+    assert_int_equal(grey(), 102);
+    key(GLFW_KEY_RIGHT, 0);
+    assert_int_equal(grey(), 153);
+    capture_begin();
+    save_shade("shade + 0.0");
+    turns(60); // a save still reloads the scene that is shown
+    back();
+    on();
+    save_shade("shade - 0.0");
+    on();
+    assert_int_equal(grey(), 51);
+    key(GLFW_KEY_RIGHT, 0);
+    assert_int_equal(grey(), 102);
+    turns(60);
+    capture_end();
+    capture_begin();
+    scratch_write("other.frag", "undeclared");
+    on(); // the first picture compiles, and the second does not
+    assert_non_null(strstr(capture_end(), "other.frag"));
+    assert_int_equal(grey(), 102);
+    close_list();
+}
+
+// A scene has the values of its line, even if its shader was saved since its renderer was made.
+SESSION_TEST(a_scene_of_a_saved_shader_has_its_own_values)
+{
+    char list[8192];
+    const char *path = save_shade("shade");
+    snprintf(list, sizeof list, "01 --shader %s --set shade=0.2\n01 --shader %s --set shade=0.8\n",
+             path, path);
+    open_text(list);
+    assert_int_equal(grey(), 51);
+    save_shade("shade + 0.0");
+    on();
+    assert_int_equal(grey(), 204);
     close_list();
 }
 

@@ -86,6 +86,32 @@ SESSION_TEST(shift_u_also_takes_back_strokes_of_the_command_line)
     session_close();
 }
 
+// The part of a drag that is outside the window changes nothing, in one picture or in two.
+SESSION_TEST(a_drag_may_leave_the_window)
+{
+    static const double far[][2] = {{320, 80}, {1e4, 90},   {-1, 80},   {-1e4, 80},
+                                    {160, -1}, {160, -1e4}, {160, 180}, {160, 1e4}};
+    static const char *const others[] = {"", " --compare --set turnSpeed=0 --divider 1",
+                                         " --compare --set turnSpeed=0 --divider 0"};
+    for (int i = 0; i < 3; i++) {
+        session_open_bare(CHAPTER, OPTIONS "0.06%s", others[i]);
+        for (size_t k = 0; k < sizeof far / sizeof *far; k++) {
+            session_said(1);
+            user_point(118, 80);
+            user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_PRESS);
+            session_turn();
+            user_point(far[k][0], far[k][1]);
+            session_turn();
+            const char *option = let_go(), *first = strchr(option, ',');
+            assert_int_equal(strncmp(option, "--stroke ", 9), 0);
+            for (int commas = 1; commas < 4; commas++) // amount and one point
+                first = strchr(first + 1, ',') != NULL ? strchr(first + 1, ',') : first;
+            assert_null(strchr(first + 1, ','));
+        }
+        session_close();
+    }
+}
+
 // A drag turns the camera if the drag starts beside the clay or if the tool is set to 0.
 SESSION_TEST(a_drag_beside_the_clay_looks_around)
 {
