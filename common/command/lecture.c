@@ -251,7 +251,8 @@ static void move_renderers(struct scene *from, struct scene *to)
 static bool compile(struct lecture *lecture, struct scene *scene)
 {
     begin_line(lecture, scene->line);
-    for (int i = 0; i < 2; i++)
+    // A scene that is not shown must not add its files to those that the window watches.
+    for (int i = 0; i < 2 && scene - lecture->scene != lecture->shown; i++)
         scene->run.picture[i].request = (struct shader_request){0};
     bool done =
         run_read_shaders(&scene->run) == RUN_DONE && run_compile(&scene->run, &lecture->context.gl);
@@ -276,8 +277,8 @@ static bool compile_with(struct lecture *lecture, struct scene *scene)
 static bool draw_small(struct scene *scene)
 {
     struct renderer_inputs inputs = run_still_inputs(&scene->run.options);
-    inputs.width = 64;
-    inputs.height = 36;
+    inputs.width = 16; // few pixels, because each may take long
+    inputs.height = 9;
     return renderer_draw(&scene->run.picture[0].renderer, &inputs, 0, inputs.height);
 }
 

@@ -240,7 +240,7 @@ static bool draw_sides(struct renderer *renderer, const struct renderer_inputs *
     struct march shared = {0};
     struct part first = *part, second = *part;
     first.shared = second.shared = &shared;
-    first.beside = split < part->right ? renderer->comparison->other : NULL;
+    first.beside = split < inputs->width ? renderer->comparison->other : NULL;
     first.right = split < part->right ? split : part->right;
     second.left = split > part->left ? split : part->left;
     second.fresh = part->fresh && first.left >= first.right;
@@ -256,12 +256,13 @@ bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inpu
     return draw_sides(renderer, inputs, &part);
 }
 
-bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int from,
-                      int rows)
+bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs,
+                      const struct renderer_piece *piece)
 {
-    bool first = from + rows == inputs->height;
-    struct part part = {&renderer->sharp, 0,     inputs->height, from, from + rows, 0,
-                        inputs->width,    first, NULL,           NULL};
+    bool first = piece->top == inputs->height && piece->left == 0;
+    struct part part = {
+        &renderer->sharp, 0,     inputs->height, piece->bottom, piece->top, piece->left,
+        piece->right,     first, NULL,           NULL};
     return draw_sides(renderer, inputs, &part);
 }
 

@@ -176,12 +176,18 @@ bool renderer_set_view(struct renderer *renderer, enum shader_view view);
 bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
                    int rows);
 
-// Draw rows [from, from + rows) of the picture into the target sharp, which keeps its other rows
-// while the picture's size stays the same. The top rows must be drawn first, because drawing them
-// clears the target. The rows are bit-for-bit identical to those of renderer_draw. Returns false
-// after reporting the error.
-bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int from,
-                      int rows);
+// A rectangle of a picture's pixels, the upper bounds excluded; row 0 is the bottom row.
+struct renderer_piece {
+    int left, right, bottom, top;
+};
+
+// Draw a piece of the picture into the target sharp, which keeps everything else while the
+// picture's size stays the same. The piece at the top left must be drawn first, because drawing it
+// clears the target. The pixels are bit-for-bit identical to those of renderer_draw, except that in
+// the slice and the plot of a comparison a piece must have all columns, because both pictures share
+// a frame. Returns false after reporting the error.
+bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs,
+                      const struct renderer_piece *piece);
 
 // Copy the picture of renderer_draw into the window's framebuffer: pixel by pixel if the sizes are
 // equal, otherwise through a filter.

@@ -17,8 +17,10 @@
 #define FIGURES_SECONDS 0.25 // between two updates of the overlay's frame rate
 // The time for which the picture must be at rest before it is sharpened. It is longer than the time
 // between two repeats of a held key.
-#define REST_SECONDS 0.3
-#define BAND_SECONDS 0.05 // spent on sharpening between two checks of the input
+#define REST_SECONDS  0.3
+#define PIECE_SECONDS 0.05 // spent on sharpening between two checks of the input
+#define TRIAL_SECONDS 0.02 // a trial picture that takes longer is the last
+#define TRIAL_FINEST  12   // the finest level of a trial picture
 
 // True if nothing has moved for a while, so that the rate of earlier frames is meaningless.
 static bool rests(const struct window *window)
@@ -65,7 +67,20 @@ bool window_uses_time(const struct window *window)
            (selected && slice && program_uses_time(renderer, SHADER_PICTURE));
 }
 
+static double pixels_of(const struct renderer_inputs *inputs)
+{
+    return (double)inputs->width * inputs->height;
+}
+
 // ---- Overlay ----
+
+// Return how much of the picture is sharp, in percent, rounded up: 0 before sharpening begins.
+static int sharp_percent(const struct window *window)
+{
+    const struct renderer_inputs *inputs = &window->sharpening.inputs;
+    double pixels = (double)inputs->width * window->sharpening.rows + window->sharpening.columns;
+    return pixels > 0.0 ? (int)ceil(100.0 * pixels / pixels_of(inputs)) : 0;
+}
 
 static void fill_overlay(struct window *window)
 {
@@ -83,10 +98,9 @@ static void fill_overlay(struct window *window)
         .milliseconds = window->panel.figures[1],
         .timed = window_uses_time(window),
         .time = inputs->time,
-        .resolution = (int)lround(100.0 / resolution_divisor(window->pace.resolution.level)),
-        .sharp = window->sharpening.inputs.height > 0
-                     ? 100 * window->sharpening.rows / window->sharpening.inputs.height
-                     : 0,
+        .resolution =
+            (int)fmax(round(100.0 / resolution_divisor(window->pace.resolution.level)), 1.0),
+        .sharp = sharp_percent(window),
         .paused = window->paused,
         .folded = window->panel.folded,
         .bare = window->panel.folded && window->panel.in_page,
@@ -115,14 +129,9 @@ static void fill_overlay(struct window *window)
 
 // ---- A frame ----
 
-static double pixels_of(const struct renderer_inputs *inputs)
-{
-    return (double)inputs->width * inputs->height;
-}
-
-// Draw the picture at a resolution level.
-//   cost  receives the seconds per pixel
-static bool draw_at(struct window *window, int level, double *cost)
+// Draw the picture at a resolution level, and store the seconds that this took.
+//   pixels  receives the number of pixels
+static bool draw_at(struct window *window, int level, double *pixels)
 {
     struct renderer_inputs inputs = window->inputs;
     double divisor = resolution_divisor(level);
@@ -138,15 +147,16 @@ static bool draw_at(struct window *window, int level, double *cost)
         return false;
     window->renderer->gl->Finish();
     window->pace.seconds = glfwGetTime() - begin;
-    *cost = window->pace.seconds / pixels_of(&inputs);
+    *pixels = pixels_of(&inputs);
     return true;
 }
 
-// Estimate the cost per pixel of a new program from a small picture that is not shown, so that a
-// slow program never blocks the window. The picture is drawn twice, because drivers finish
-// compiling during the first draw. The estimate is halved, because the fixed cost of a draw weighs
-// more in a small picture. A slice or a plot is not tried, because it is quick to draw in any
-// scene.
+// Estimate the cost of a new program from pictures that are not shown, so that a slow program never
+// blocks the window. The first has a few pixels, and each of the next four times as many, until one
+// takes long enough to be measured. All of them see the whole scene, so each takes at most about
+// four times as long as the last, even if a few pixels cost much more than the others. The first is
+// drawn twice, because drivers finish compiling during the first draw. The line through the first
+// and the last estimates the fixed cost and the cost of a pixel.
 static bool try_program(struct window *window)
 {
     const struct renderer *renderer = window->renderer;
@@ -154,12 +164,19 @@ static bool try_program(struct window *window)
     if (program == window->pace.tried)
         return true;
     window->pace.tried = program;
-    double cost = 0.0;
-    bool slice = shader_shows_ray(renderer->view);
-    for (int i = 0; i < 2 && !slice; i++)
-        if (!draw_at(window, RESOLUTION_COARSEST, &cost))
+    double few = 0.0, pixels = 0.0, seconds = 0.0, cost = 0.0;
+    if (!draw_at(window, RESOLUTION_COARSEST, &few) || !draw_at(window, RESOLUTION_COARSEST, &few))
+        return false;
+    seconds = window->pace.seconds;
+    for (int level = RESOLUTION_COARSEST - 4; level >= TRIAL_FINEST; level -= 4) {
+        if (!draw_at(window, level, &pixels))
             return false;
-    resolution_guess(&window->pace.resolution, 0.5 * cost);
+        if (pixels > few)
+            cost = fmax(window->pace.seconds - seconds, 0.0) / (pixels - few);
+        if (window->pace.seconds > TRIAL_SECONDS)
+            break;
+    }
+    resolution_guess(&window->pace.resolution, fmax(seconds - cost * few, 0.0), cost);
     return true;
 }
 
@@ -170,16 +187,16 @@ static bool draw_picture(struct window *window, double now)
         window->sharpening.due = now + REST_SECONDS;
     if (!try_program(window))
         return false;
-    double cost, pixels = pixels_of(&window->inputs);
+    double drawn, pixels = pixels_of(&window->inputs);
     double enlarge = enlarging_choose(&window->pace.enlarging, pixels);
-    if (!draw_at(window, resolution_choose(&window->pace.resolution, pixels, enlarge), &cost))
+    if (!draw_at(window, resolution_choose(&window->pace.resolution, pixels, enlarge), &drawn))
         return false;
-    resolution_learn(&window->pace.resolution, cost);
+    resolution_learn(&window->pace.resolution, window->pace.seconds, drawn);
     window->sharpening.inputs = window->inputs;
-    window->sharpening.rows = 0;
+    window->sharpening.rows = window->sharpening.columns = 0;
     window->sharpening.seconds = 0.0;
-    window->sharpening.band =
-        (int)fmin(BAND_SECONDS / (cost * window->sharpening.inputs.width + 1e-9), 64.0) + 1;
+    window->sharpening.next =
+        fmin(PIECE_SECONDS * drawn / (window->pace.seconds + 1e-9), 64.0 * window->inputs.width);
     window->inputs.frame++;
     return true;
 }
@@ -191,26 +208,42 @@ bool window_sharpens(const struct window *window, double now)
            now >= window->sharpening.due;
 }
 
-// Draw some more rows of the sharp picture, from the top down: few enough that input never has to
+// Return the next piece of the sharp picture: some rows, or a part of one row if a whole row takes
+// too long. The slice and the plot are always drawn in whole rows (renderer_sharpen).
+static struct renderer_piece next_piece(const struct window *window)
+{
+    const struct renderer_inputs *inputs = &window->sharpening.inputs;
+    int width = inputs->width, top = inputs->height - window->sharpening.rows;
+    int left = window->sharpening.columns, pixels = (int)fmax(window->sharpening.next, 1.0);
+    bool whole = left == 0 && pixels >= width;
+    int rows = whole && pixels / width < top ? pixels / width : whole ? top : 1;
+    int right =
+        pixels < width - left && !shader_shows_ray(window->renderer->view) ? left + pixels : width;
+    return (struct renderer_piece){left, right, top - rows, top};
+}
+
+// Draw some more pixels of the sharp picture, from the top down: few enough that input never has to
 // wait.
 static bool sharpen(struct window *window)
 {
     const struct renderer_inputs *inputs = &window->sharpening.inputs;
-    int left = inputs->height - window->sharpening.rows;
-    int rows = window->sharpening.band < left ? window->sharpening.band : left;
+    struct renderer_piece piece = next_piece(window);
+    int rows = piece.top - piece.bottom, columns = piece.right - piece.left;
     double begin = glfwGetTime();
-    if (!renderer_sharpen(window->renderer, inputs, left - rows, rows))
+    if (!renderer_sharpen(window->renderer, inputs, &piece))
         return false;
     window->renderer->gl->Finish();
     double seconds = glfwGetTime() - begin;
-    window->sharpening.rows += rows;
+    window->sharpening.rows += piece.right == inputs->width ? rows : 0;
+    window->sharpening.columns = piece.right % inputs->width;
     window->sharpening.seconds += seconds;
-    window->sharpening.band =
-        (int)fmin(rows * fmin(BAND_SECONDS / (seconds + 1e-9), 2.0), 4096.0) + 1;
+    window->sharpening.next =
+        fmin((double)rows * columns * fmin(PIECE_SECONDS / (seconds + 1e-9), 2.0),
+             4096.0 * inputs->width);
     if (window->sharpening.rows < inputs->height)
         return true;
     window->pace.seconds = window->sharpening.seconds;
-    resolution_learn(&window->pace.resolution, window->pace.seconds / pixels_of(inputs));
+    resolution_learn(&window->pace.resolution, window->pace.seconds, pixels_of(inputs));
     return true;
 }
 

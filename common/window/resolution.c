@@ -26,17 +26,20 @@ int resolution_side(int level, int side)
     return (int)ceil(side / resolution_divisor(level));
 }
 
-void resolution_guess(struct resolution *resolution, double cost)
+void resolution_guess(struct resolution *resolution, double fixed, double cost)
 {
+    resolution->fixed = fixed;
     for (int i = 0; i < 3; i++)
         resolution->cost[i] = cost;
     resolution->guessed = true;
 }
 
-void resolution_learn(struct resolution *resolution, double cost)
+void resolution_learn(struct resolution *resolution, double seconds, double pixels)
 {
+    resolution->fixed = fmin(resolution->fixed, seconds); // a measurement may have been disturbed
+    double cost = (seconds - resolution->fixed) / pixels;
     if (resolution->guessed)
-        resolution_guess(resolution, cost);
+        resolution_guess(resolution, resolution->fixed, cost);
     resolution->guessed = false;
     push(resolution->cost, cost);
 }

@@ -95,8 +95,9 @@ struct window {
         double due;                    // when the picture has been at rest for long enough
         struct renderer_inputs inputs; // inputs of the last picture, at full size
         int rows;                      // number of sharp rows, from the top
-        int band;                      // number of rows to sharpen next
-        double seconds;                // time that drawing the sharp rows took
+        int columns;                   // number of sharp pixels in the row below them
+        double next;                   // number of pixels to sharpen next
+        double seconds;                // time that drawing the sharp pixels took
     } sharpening;
     struct {
         struct overlay overlay;

@@ -139,3 +139,14 @@ float *gpu_call(const char *shader, int width, int height, int function, const f
     }
     return gpu_numbers(&inputs);
 }
+
+bool gpu_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
+                 int rows)
+{
+    struct renderer_piece piece = {0, inputs->width / 3, bottom, bottom + rows};
+    if (!renderer_sharpen(renderer, inputs, &piece))
+        return false;
+    piece.left = piece.right;
+    piece.right = inputs->width;
+    return renderer_sharpen(renderer, inputs, &piece);
+}

@@ -201,7 +201,7 @@ TEST(a_sampler_that_is_not_set_reads_black)
                               "void main() { colour = texture(s.a, vec2(0.5)) + 0.25; }\n"));
     assert_non_null(strstr(capture_end(), "uniform S s is 0"));
     for (int i = 0; i < 3; i++) {
-        assert_true(i == 1 ? renderer_sharpen(&gpu.renderer, &inputs, 0, 2)
+        assert_true(i == 1 ? gpu_sharpen(&gpu.renderer, &inputs, 0, 2)
                            : renderer_draw(&gpu.renderer, &inputs, 0, 2));
         target_read(i == 1 ? &gpu.renderer.sharp : &gpu.renderer.picture, gpu.renderer.gl, values);
         assert_true(values[0] == 0.25f && values[1] == 0.25f && values[2] == 0.25f);

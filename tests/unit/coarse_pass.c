@@ -43,7 +43,7 @@ TEST(test_the_parts_of_a_picture_equal_the_whole_bit_for_bit)
         for (int top = inputs.height, rows = 1; top > 0; top -= rows, rows = 3 * rows % 101 + 1) {
             free(gpu_numbers(&other));
             rows = rows < top ? rows : top;
-            assert_true(renderer_sharpen(&gpu.renderer, &inputs, top - rows, rows));
+            assert_true(gpu_sharpen(&gpu.renderer, &inputs, top - rows, rows));
         }
         target_read(&gpu.renderer.sharp, gpu.renderer.gl, parts);
         assert_memory_equal(parts, whole, size_of(&inputs));

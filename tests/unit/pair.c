@@ -88,7 +88,7 @@ TEST(each_side_is_its_own_picture)
             float *both = numbers_of(&gpu.renderer, &inputs);
             assert_sides(both, one, other, split);
             for (int top = HEIGHT; top > 0; top -= 8)
-                assert_true(renderer_sharpen(&gpu.renderer, &inputs, top - 8, 8));
+                assert_true(gpu_sharpen(&gpu.renderer, &inputs, top - 8, 8));
             target_read(&gpu.renderer.sharp, gpu.renderer.gl, both);
             assert_sides(both, one, other, split);
             free(both);

@@ -200,7 +200,7 @@ static void check_sharpened(enum shader_view view, int samples)
         coarse.time = i;
         assert_true(renderer_draw(&gpu.renderer, &coarse, 0, coarse.height));
         left -= parts[i];
-        assert_true(renderer_sharpen(&gpu.renderer, &inputs, left, parts[i]));
+        assert_true(gpu_sharpen(&gpu.renderer, &inputs, left, parts[i]));
     }
     assert_int_equal(left, 0);
     target_read(&gpu.renderer.sharp, gpu.renderer.gl, sharp);

@@ -21,7 +21,7 @@ static int draw_frame(struct resolution *resolution, const struct machine *machi
 {
     int level = resolution_choose(resolution, pixels, machine->beside);
     double here = pixels / pow(2.0, 0.5 * level);
-    resolution_learn(resolution, off * frame_seconds(machine, level) / here);
+    resolution_learn(resolution, off * frame_seconds(machine, level), here);
     return level;
 }
 
@@ -43,7 +43,7 @@ TEST(sides_follow_the_level)
         double more = resolution_divisor(level + 1) / resolution_divisor(level);
         assert_true(fabs(more - 1.189207115) < 1e-6);
     }
-    assert_true(fabs(resolution_divisor(RESOLUTION_COARSEST) - 8.0) < 1e-12);
+    assert_true(fabs(resolution_divisor(RESOLUTION_COARSEST) - 256.0) < 1e-12);
 }
 
 // If the time of a frame is constant at each level, the level moves in only one direction and then
@@ -56,7 +56,7 @@ TEST(the_level_settles)
             for (int i = 0; i < 9; i++) {
                 struct machine machine = {0.01 * (i % 3), full / pixels, 0.012 * (double)(i / 3)};
                 struct resolution resolution = {.level = begin};
-                resolution_guess(&resolution, 3.0 * machine.cost * (chance() + 1.0));
+                resolution_guess(&resolution, 0.0, 3.0 * machine.cost * (chance() + 1.0));
                 draw_frame(&resolution, &machine, 1.0);
                 int last = draw_frame(&resolution, &machine, 1.0), way = 0;
                 for (int frame = 0; frame < FRAMES; frame++) {
@@ -75,13 +75,30 @@ TEST(the_level_settles)
             }
 }
 
+// If each frame takes long however few pixels it has, a coarser picture would be no quicker, so the
+// level is that of the cost of the pixels alone.
+TEST(a_fixed_cost_makes_no_picture_coarser)
+{
+    for (double full = 1e-3; full < 20.0; full *= 1.5) {
+        int level[2];
+        for (int i = 0; i < 2; i++) {
+            struct machine machine = {0.3 * i, full / pixels, 0.0};
+            struct resolution resolution = {0};
+            resolution_guess(&resolution, machine.fixed, machine.cost);
+            for (int frame = 0; frame < 5; frame++)
+                level[i] = draw_frame(&resolution, &machine, 1.0);
+        }
+        assert_int_equal(level[1], level[0]);
+    }
+}
+
 // Times that vary by up to 14 % change the level by at most one, and only in one direction.
 TEST(varying_times_cause_no_flicker)
 {
     for (double full = 0.02; full < 5.0; full *= 1.03) {
         struct machine machine = {0.0, full / pixels, 0.01};
         struct resolution resolution = {0};
-        resolution_guess(&resolution, machine.cost);
+        resolution_guess(&resolution, 0.0, machine.cost);
         int low = RESOLUTION_COARSEST, high = 0, way = 0, last = -1;
         for (int frame = 0; frame < 400; frame++) {
             int level = draw_frame(&resolution, &machine, 1.0 + 0.14 * chance());
@@ -101,7 +118,7 @@ TEST(a_single_slow_frame_changes_nothing)
 {
     struct machine machine = {0.0, 0.4 / pixels, 0.01};
     struct resolution resolution = {0};
-    resolution_guess(&resolution, machine.cost);
+    resolution_guess(&resolution, 0.0, machine.cost);
     draw_frame(&resolution, &machine, 1.0);
     draw_frame(&resolution, &machine, 1.0);
     int level = draw_frame(&resolution, &machine, 1.0);
@@ -118,7 +135,7 @@ TEST(a_change_that_lasts_is_followed)
 {
     struct machine quick = {0.0, 0.03 / pixels, 0.01}, slow = {0.0, 1.2 / pixels, 0.01};
     struct resolution resolution = {0};
-    resolution_guess(&resolution, slow.cost);
+    resolution_guess(&resolution, 0.0, slow.cost);
     int coarse = draw_frame(&resolution, &quick, 1.0);
     assert_true(coarse > 6);
     for (int frame = 0; frame < 5; frame++)

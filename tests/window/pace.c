@@ -165,4 +165,56 @@ SESSION_TEST(a_coarse_pair_has_its_divider_in_place)
     session_close();
 }
 
+// Run an iteration of the main loop that takes at most half a second.
+static void assert_quick_turn(void)
+{
+    double begun = user.now;
+    session_turn();
+    assert_true(user.now - begun < 0.5);
+}
+
+// Save a shader whose pixels all differ.
+static const char *save_noise(const char *comment)
+{
+    char text[256];
+    snprintf(text, sizeof text,
+             "void mainImage(out vec4 c, vec2 p) { c = vec4(fract(sin(dot(p, vec2(12.9, 78.2))) "
+             "* 43758.5)); }\n%s\n",
+             comment);
+    return scratch_write("noise.frag", text);
+}
+
+// Every pixel of the saved shader takes 5 ms, and the whole picture 12 minutes.
+SESSION_TEST(a_very_slow_shader_never_blocks_the_window)
+{
+    char line[4096];
+    for (int i = 0; i < 2; i++) {
+        const char *path = save_noise("");
+        snprintf(line, sizeof line, "%s%s%s", path, i > 0 ? " --divider 0.3 --compare " : "",
+                 i > 0 ? path : "");
+        session_open_bare(CHAPTER, "--size 480x300 --shader %s", line);
+        session_wait(0.5);
+        session_said(1);
+        save_noise("// slow");
+        user.pixel_seconds = 0.005;
+        for (int k = 0; k < 30; k++)
+            assert_quick_turn();
+        assert_non_null(strstr(session_said(1), "noise.frag: reloaded"));
+        session_keep(0);
+        for (int k = 0; k < 200; k++)
+            assert_quick_turn();
+        assert_true(session_off(0, above) > 0.01); // some rows are sharp
+        assert_true(session_off(0, below) <= 0.0);
+        user_press(GLFW_KEY_W, 0);
+        for (int k = 0; k < 10; k++)
+            assert_quick_turn();
+        user_release(GLFW_KEY_W);
+        user_key(GLFW_KEY_BACKSPACE, 0);
+        assert_quick_turn();
+        assert_true(user.ended);
+        session_close();
+        user_reset();
+    }
+}
+
 TESTS(NULL, NULL)
