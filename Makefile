@@ -27,11 +27,13 @@ WINDOWS =
 STUDENT =
 PORT = 8000
 DURATION =
+SECONDS =
+PROGRAM =
 SANITIZE =
 FUZZER =
 # The input and output of awk, sort and gcc must not depend on the user's language.
 export LC_ALL = C
-export CHAPTER FIGURE LIST SUITE COUNT SEED NAME EXERCISE EXERCISES CSV FILE FILES PICTURES FORCE FRAMES FPS VIEW ROUNDS WRITE DURATION
+export CHAPTER FIGURE LIST SUITE COUNT SEED NAME EXERCISE EXERCISES CSV FILE FILES PICTURES FORCE FRAMES FPS VIEW ROUNDS WRITE DURATION SECONDS PROGRAM
 
 # Recursive makes run in parallel, unless the caller has chosen the number of jobs.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -425,6 +427,11 @@ fuzz: ## fuzz the parsers of shaders, parameters and command lines, each for DUR
 	+@$(AGAIN) FUZZER=1 fuzzer
 	@.make/fuzz.sh
 
+monkey: ## play with the windows at random: make monkey SECONDS=60 PROGRAM=23; the same SEED plays the same
+	@.make/setup.sh test
+	+@$(AGAIN) SANITIZE=1 build/sanitize/tests/window/monkey
+	@. tests/lib/tap.sh; build/sanitize/tests/window/monkey "$${SEED:-$$(date +%s)}" "$${SECONDS:-60}" "$$PROGRAM"
+
 mutants: ## check that the tests notice mistakes: make mutants FILES='shaders/march.glsl common/camera.c' COUNT=30 SEED=1
 	@.make/setup.sh test
 	+@$(AGAIN) programs tests
@@ -487,7 +494,7 @@ references: ready ## regenerate the references, or those of CHAPTER=03, that are
 
 always:
 .PHONY: all programs tests fuzzer lecture_program ready run play bake lecture slides handouts check marks student questions compare diff film gallery benchmark book setup clean help test \
-        test-all test-fresh test-gpu fuzz mutants lint format chapter docs figures figure_programs textures texture_programs \
+        test-all test-fresh test-gpu fuzz monkey mutants lint format chapter docs figures figure_programs textures texture_programs \
         references web test-web test-windows site serve module windows windows-zip always
 .DELETE_ON_ERROR:
 .SUFFIXES:

@@ -62,8 +62,8 @@ struct renderer_inputs gpu_inputs(int width, int height, int samples);
 // which the caller frees. Fails the test, or ends the program, if that is impossible.
 float *gpu_numbers(const struct renderer_inputs *inputs);
 
-// Sharpen rows [bottom, bottom + rows) of a picture in two pieces. Returns false after reporting the
-// error.
+// Sharpen rows [bottom, bottom + rows) of a picture in two pieces. Returns false after reporting
+// the error.
 bool gpu_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
                  int rows);
 

@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include "browser/chapters.h"
+#include "command/lecture.h"
 #include "lib/compare.h"
 #include "lib/gpu.h"
 #include "lib/programs.h"
@@ -9,11 +11,12 @@
 #include "lib/system.h"
 #include "window/window.h"
 
-enum { ARGUMENTS = 32, KEPT = 4 };
+enum { ARGUMENTS = 32, KEPT = 4, CHAPTERS = 99 };
 
 static struct {
     struct chapter chapter;
-    struct run *run; // NULL if no program is open
+    struct run *run;         // NULL if no chapter is open
+    struct lecture *lecture; // NULL if no lecture is open
     char line[4096], *argument[ARGUMENTS + 1];
     struct said {
         FILE *file;   // collects the program's output or its reports; NULL if nothing is collected
@@ -81,11 +84,19 @@ int session_setup(void **unused)
     return scratch_setup(unused);
 }
 
-int session_teardown(void **unused)
+static void close_program(void)
 {
     if (session.run != NULL)
         chapter_close(session.run);
+    if (session.lecture != NULL)
+        lecture_close(session.lecture);
     session.run = NULL;
+    session.lecture = NULL;
+}
+
+int session_teardown(void **unused)
+{
+    close_program();
     if (session.said[0].file != NULL) {
         session_said(2); // the reports of a test that has failed
         hush();
@@ -133,10 +144,34 @@ void session_open_bare(const char *stem, const char *options, ...)
     session_key(GLFW_KEY_H);
 }
 
+void session_open_lecture(const char *list)
+{
+    static struct lecture_chapter chapters[CHAPTERS];
+    int count = 0;
+    for (; live_chapters[count].stem != NULL; count++) {
+        struct chapter chapter;
+        assert_true(count < CHAPTERS && programs_find(live_chapters[count].stem, &chapter));
+        chapters[count] =
+            (struct lecture_chapter){chapter.stem, chapter.title, chapter.camera, chapter.tool};
+    }
+    listen();
+    if (lecture_read(&session.lecture, list, chapters, count) != RUN_DONE ||
+        lecture_open(session.lecture) != RUN_DONE)
+        give_up("%s: no lecture: %s", list, session_said(2));
+    assert_true(user.full);
+    user_resize(320, 180); // fewer pixels, to save time
+    session_turn();
+    session_turn();
+}
+
+struct window *session_window(void)
+{
+    return session.lecture != NULL ? lecture_window(session.lecture) : chapter_window(session.run);
+}
+
 void session_close(void)
 {
-    chapter_close(session.run);
-    session.run = NULL;
+    close_program();
     session_said(2);
     hush();
     assert_string_equal(session.text, "");
@@ -145,7 +180,9 @@ void session_close(void)
 void session_turn(void)
 {
     user.now += 1.0 / 60.0;
-    assert_true(window_turn(chapter_window(session.run)));
+    assert_true(window_turn(session_window()));
+    if (session.lecture != NULL)
+        lecture_follow(session.lecture);
 }
 
 void session_wait(double seconds)

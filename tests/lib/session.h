@@ -1,5 +1,5 @@
-// session.h - runs a chapter in an invisible window, with the test as its user (user.h), and
-// collects the program's output for the test.
+// session.h - runs a chapter or a lecture in an invisible window, with the test as its user
+// (user.h), and collects the program's output for the test.
 #ifndef TESTS_SESSION_H
 #define TESTS_SESSION_H
 
@@ -24,6 +24,13 @@ void session_open(const char *stem, const char *options, ...) __attribute__((for
 // Open a chapter like session_open, and press H: the window then shows only the picture.
 void session_open_bare(const char *stem, const char *options, ...)
     __attribute__((format(printf, 2, 3)));
+
+// Open a lecture with all chapters, in a window of 320x180 units.
+//   list  the path of the list of scenes, which must stay valid until session_close
+void session_open_lecture(const char *list);
+
+// The window of the program that is open.
+struct window *session_window(void);
 
 // End the program. Fails the test if the program has reported something that session_said has not
 // fetched.

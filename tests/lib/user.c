@@ -130,7 +130,8 @@ static void bind(GLenum target, GLuint framebuffer)
         return;
     the.width = width;
     the.height = height;
-    gl->GenTextures(1, &the.texture); // the texture of an earlier size is freed with the context
+    gl->DeleteTextures(1, &the.texture); // that of an earlier size
+    gl->GenTextures(1, &the.texture);
     gl->BindTexture(GL_TEXTURE_2D, the.texture);
     gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
     gl->BindTexture(GL_TEXTURE_2D, 0);
