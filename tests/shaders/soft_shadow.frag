@@ -73,12 +73,11 @@ void main()
         Ray ray = Ray(vec3(0.0), TO_LIGHT);
         FragColor = vec4(lampReaching(ray, 9.0, iMouse.x, int(iMouse.w), 1e-5, 256, 0), ball.xyz);
     } else {
-        // Both bounds of clearanceAlong, from different starts.
-        float clear = 0.02 + 0.02 * number;
-        ball = ballAt(clear);
+        // Both bounds of clearanceAlong, from different starts; the ball's position along the ray and beside it.
+        ball = ballAt(0.02 + 0.02 * number);
         Ray ray = Ray(vec3(0.0), TO_LIGHT);
-        float start = 0.05 + 0.01 * floor(gl_FragCoord.y);
+        float start = 0.05 + 0.01 * floor(gl_FragCoord.y), along = dot(ball.xyz, TO_LIGHT);
         Clearance clearance = clearanceAlong(ray, start, 9.0, 1e-5, 256);
-        FragColor = vec4(clear, clearance.most, clearance.least, start);
+        FragColor = vec4(clearance.most, clearance.least, along, length(ball.xyz - along * TO_LIGHT));
     }
 }
