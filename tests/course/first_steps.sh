@@ -55,12 +55,6 @@ fails() {
     return 1
 }
 
-# Run a command that may write at most this many KiB to a file. SIGXFSZ is ignored, because it would end the program
-# before the program prints its message.
-within_kib() { # KIB COMMAND...
-    (trap '' XFSZ && ulimit -f "$1" && shift && exec "$@")
-}
-
 draw() { "$steps/engine_6" -o "$scratch/picture.png" "$@"; }
 draws() { # REFERENCE SHADER [PICTURE]
     draw "${@:2}" && build/tests/compare "tests/references/$1.png" "$scratch/picture.png"
