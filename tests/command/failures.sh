@@ -327,13 +327,13 @@ elif command -v timeout >/dev/null; then
     hearing=(timeout 300)
 fi
 interrupted() { # FILE ARGUMENT...: interrupts the program once it has written FILE
-    local file=$1 job end=$((SECONDS + 60))
+    local file=$1 job
     shift
     set -m
     ${hearing[@]+"${hearing[@]}"} "$chapter" "$@" >/dev/null 2>&1 &
     job=$!
     set +m
-    until [ -e "$file" ] || [ $SECONDS -ge $end ]; do sleep 0.05; done
+    until [ -e "$file" ] || ! kill -0 "$job" 2>/dev/null; do sleep 0.05; done
     sleep 0.2 # the program now renders the second picture, which it cannot finish
     kill -INT "$job"
     # Wine loses the signal while it is still starting a program, so the signal is repeated until the program reacts.

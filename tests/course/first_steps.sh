@@ -160,19 +160,22 @@ check 'step 3 opens a file' begin 3 "$sources/2_distance.frag"
 check 'step 3 draws an undistorted circle' matches_reference 00_first_scene-step-2
 check 'Backspace ends step 3' backspace
 check 'step 3 opens chapter 00' begin 3 chapters/00_first_scene.frag
-changed() { [ "$(off "$1")" != 0 ]; } # NAME
 moves() { look before && eventually changed before; }
 check 'the scene of chapter 00 moves' moves
 check 'Backspace ends step 3 again' backspace
 
-check 'step 4 opens a scene' begin 4 "$sources/engine_4.frag"
+cp "$sources/engine_4.frag" "$mine"
+check 'step 4 opens a scene' begin 4 "$mine"
 check 'step 4 shows the scene from its camera' matches_reference 00_first_scene-engine-4
 near() { look screen && build/tests/compare "$scratch/screen.png" "$scratch/wanted.png" >/dev/null; }
-# A drag of 100 units to the right and 50 up turns the camera by 100 and 50 times 2 / (360 x 1.5) radians.
+# A drag of 100 units to the right and 50 up turns the camera by 100 and 50 times 2 / (360 x 1.5) radians. The program
+# looks once per frame where the pointer is. Two saved files that were shown one after the other prove that it has looked
+# before the drag begins.
 drags() {
-    "$BUILD/00_first_scene" -f "$sources/engine_4.frag" -c 0,1.3,3.2,21.2207,-0.8489 -o "$scratch/wanted.png" >/dev/null &&
-        xdotool mousemove --window "$window" 200 200 sleep 1.5 mousedown 1 sleep 1.5 mousemove --window "$window" 300 150 &&
-        eventually near && xdotool mouseup 1
+    xdotool mousemove --window "$window" 200 200 && save "$(cat "$sources/1_screen.frag")" &&
+        matches_reference 00_first_scene-step-1 && save "$(cat "$sources/engine_4.frag")" && matches_reference 00_first_scene-engine-4 &&
+        "$BUILD/00_first_scene" -f "$mine" -c 0,1.3,3.2,21.2207,-0.8489 -o "$scratch/wanted.png" >/dev/null &&
+        xdotool mousedown 1 mousemove --window "$window" 300 150 && eventually near && xdotool mouseup 1
 }
 check 'a drag turns the camera by the angle that it covers' drags
 walks() { xdotool keydown w && eventually changed wanted && xdotool keyup w; }

@@ -84,7 +84,7 @@ open_display() {
         3>"$scratch/display" >/dev/null 2>&1 &
     display_server=$!
     local number=
-    read -r -t 10 number <"$scratch/display"
+    read -r number <"$scratch/display"
     [ -n "$number" ] || return 1
     export DISPLAY=":$number"
     unset WAYLAND_DISPLAY

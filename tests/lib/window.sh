@@ -8,25 +8,23 @@ program='' window='' manager='' shots=0 picture='' stem=''
 
 # ---- Tools ----
 
-# eventually COMMAND...: waits until the command succeeds. After a minute, the function gives up, saves a screenshot
-# next to the suite's output and makes every later wait fail at once; the check that contains the wait, or the next
-# check, ends the suite.
+# eventually COMMAND...: waits until the command succeeds. After 1200 tries, which take at least a minute and longer on a
+# slow or busy machine, the function gives up, saves a screenshot next to the suite's output and makes every later wait
+# fail at once; the check that contains the wait, or the next check, ends the suite.
 gave_up=''
-eventually() { [ -z "$gave_up" ] && { within 60 "$@" || give_up "$@"; }; }
+eventually() {
+    local tries=1200
+    [ -z "$gave_up" ] || return
+    until "$@"; do
+        [ $((tries -= 1)) != 0 ] || { give_up "$@"; return; }
+        sleep 0.05
+    done
+}
 give_up() {
     gave_up="gave up waiting for '$*'"
     echo "# gave up waiting for '$*'; keys go to '$(xdotool getwindowfocus getwindowname 2>&1)'"
     import -window root "${TEST_RESULTS:-$scratch}/$(basename "$0" .sh)-gave-up.png"
     return 1
-}
-within() { # SECONDS COMMAND...: the last try comes after the deadline
-    local deadline=$((SECONDS + $1)) late=''
-    shift
-    until "$@"; do
-        [ -z "$late" ] || return 1
-        [ "$SECONDS" -lt "$deadline" ] || late=1
-        sleep 0.05
-    done
 }
 # Like check of tap.sh, but a failed wait ends the suite, because the following checks would have nothing to look at.
 check() { # NAME COMMAND...
@@ -154,20 +152,16 @@ apart() { # A B [WxH+X+Y]
 }
 off() { look screen && apart screen "$@"; }
 shown() { [ "$(off "$1")" = 0 ]; }
+changed() { [ "$(off "$1")" != 0 ]; }
 # True if the window shows this part of a stored picture, except for at most this many pixels in a million.
 part_shown() { # NAME WxH+X+Y [PIXELS]
     [ "$(off "$1" "$2")" -le "${3:-0}" ]
 }
 
-# Hold a key until the picture changes. A busy machine may handle press and release at once; in that case, the key is
-# held for longer.
+# Hold a key until the window shows another picture, and compare screenshots from before and afterwards.
 walk() { # KEY
-    local hold
-    shoot_as here || return
-    for hold in 0.15 1 5; do
-        xdotool keydown "$1" sleep $hold keyup "$1" && shoot_as there && differ here there && return
-    done
-    return 1
+    shoot_as here && look before && xdotool keydown "$1" && eventually changed before && xdotool keyup "$1" &&
+        shoot_as there && differ here there
 }
 
 backspace() { key BackSpace && ends_well; }

@@ -1,7 +1,7 @@
 #!/bin/bash
 # window.sh - tests one window on a real X server, with real events, which tests/window/*.c cannot do, because they
-# simulate the user and GLFW's clock. No result depends on a clock: every wait is for an event and lasts at most a
-# minute, and the first wait that fails ends the suite.
+# simulate the user and GLFW's clock. No result depends on a clock: every wait is for an event, and the first wait that
+# fails ends the suite.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
