@@ -270,8 +270,8 @@ EMSCRIPTEN = -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH -
              -sINCOMING_MODULE_JS_API=canvas,print,printErr,locateFile,noInitialRun
 # Debian's Emscripten has its JavaScript tools in this folder.
 export NODE_PATH = /usr/share/nodejs
-module: build/web/harness.js
-build/web/harness.js: $(STEMS:%=$(BUILD)/chapters/%.o) $(BUILD)/chapters.o $(COMMON) $(JUDGE) $(PAINTED) common/browser/page.js
+module: $(BUILD)/harness.js
+$(BUILD)/harness.js: $(STEMS:%=$(BUILD)/chapters/%.o) $(BUILD)/chapters.o $(COMMON) $(JUDGE) $(PAINTED) common/browser/page.js
 	$(call say,link $@) $(CC) $(CFLAGS) --no-entry $(EMSCRIPTEN) -sEXPORTED_FUNCTIONS=$(EXPORTS) \
 	    --js-library common/browser/page.js -o $@ $(filter %.o %.a,$^)
 

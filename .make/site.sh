@@ -5,23 +5,28 @@
 set -eu
 export LC_ALL=C TZ=UTC SOURCE_DATE_EPOCH=0
 . .make/pages.sh
-out=${SITE_FOLDER:-build/site} source=${SITE_SOURCE:-docs/web} # the variables replace the target and the source folder
+# The variables replace the target, the source folder and the folder of the programs.
+target=${SITE_FOLDER:-build/site} source=${SITE_SOURCE:-docs/web} web=${WEB_FOLDER:-build/web}
+# The site is built beside the target, so that the last site remains if a page has an error.
+new=$target.new out=$target.new/$(basename "$target")
 
-rm -rf "$out" "$out.parts" "$out.zip"
+rm -rf "$new"
 mkdir -p "$out/fonts"
 # shellcheck disable=SC2046
 node "$source/site.mjs" "$out" $(pages)
 
 # Copy the programs, in the layout of `make web`.
-(cd build/web && find . -type f ! -path './objects/*' ! -name '*.map') | while read -r file; do
+(cd "$web" && find . -type f ! -path './objects/*' ! -name '*.map') | while read -r file; do
     mkdir -p "$out/$(dirname "$file")"
-    cp "build/web/$file" "$out/$file"
+    cp "$web/$file" "$out/$file"
 done
 cp "$source"/{site.css,site.js,find.js,guess.js,question.js,play.js,edits.js,icon.svg} "$out/"
 cp "$source/LICENSE.fonts" "$out/fonts/LICENSE.txt"
-rm -r "$out.parts"
 
 # With fixed times, no owners and a fixed order, the archive depends only on the files.
 find "$out" -exec chmod u=rwX,go=rX {} + -exec touch -d '1980-01-01 00:00:00' {} +
-(cd "$(dirname "$out")" && find "$(basename "$out")" -type f | sort | zip -q -X -9 -@ "$(basename "$out").zip")
-echo "$out/: $(find "$out" -type f | wc -l) files, $(du -sm "$out" | cut -f 1) MB; $out.zip: $(du -m "$out.zip" | cut -f 1) MB"
+(cd "$new" && find "$(basename "$out")" -type f | sort | zip -q -X -9 -@ "$(basename "$out").zip")
+rm -rf "$target" "$target.zip"
+mv "$out" "$out.zip" "$(dirname "$target")/"
+rm -r "$new"
+echo "$target/: $(find "$target" -type f | wc -l) files, $(du -sm "$target" | cut -f 1) MB; $target.zip: $(du -m "$target.zip" | cut -f 1) MB"

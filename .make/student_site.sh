@@ -3,8 +3,8 @@
 # after the module is built, the node packages are installed and `make student` has written the folder.
 set -eu
 course=build/student/ray-marching
-mkdir -p "$course/build/web"
-cp build/web/harness.* "$course/build/web"
+mkdir -p "$course/build/web/objects"
+cp build/web/objects/harness.* "$course/build/web/objects"
 ln -sfn ../../../node "$course/build/node"
 cd "$course"
 .make/web.sh

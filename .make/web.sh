@@ -1,5 +1,5 @@
 #!/bin/bash
-# web.sh - copy the files that the module reads into build/web/, beside the module. make calls this script after the
+# web.sh - write the module, minified, and the files that it reads into build/web/. make calls this script after the
 # module is built.
 #
 # course.json contains the texts of the files that every chapter needs, and the names of the files that only some
@@ -8,6 +8,7 @@ set -eu
 export LC_ALL=C
 out=${WEB_FOLDER:-build/web} source=${SITE_SOURCE:-docs/web} # the variables replace the target and the source folder
 
+mkdir -p "$out"
 rm -rf "$out/course"
 # These files of the library are needed only from chapter 17 on.
 rare='shaders/clouds.glsl shaders/land.glsl shaders/night.glsl shaders/prism.glsl shaders/stored.glsl shaders/water.glsl'
@@ -29,7 +30,9 @@ cp "$source/live.css" "$out/"
 # separate.
 NODE_PATH=build/node/node_modules build/node/node_modules/.bin/esbuild "$source"/{live,stage,check,program,editor}.js --bundle --minify \
     --format=esm --external:./{harness,program,stage,check,editor}.js --log-level=warning --outdir="$out"
-build/node/node_modules/.bin/esbuild "$out/harness.js" --minify --format=esm --log-level=warning --allow-overwrite --outfile="$out/harness.js"
+# The module is minified into another file, because minifying a file again gives it other names.
+build/node/node_modules/.bin/esbuild build/web/objects/harness.js --minify --format=esm --log-level=warning --outfile="$out/harness.js"
+cp build/web/objects/harness.wasm "$out/"
 total=0
 for file in harness.wasm harness.js course.json {live,stage,check,program}.js editor.js exercises.txt; do
     packed=$(gzip -9c "$out/$file" | wc -c)

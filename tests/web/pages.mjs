@@ -1,12 +1,12 @@
 // pages.mjs - tests the site's files without a browser: every page exists, no link is dead, every formula is converted,
-// no file comes from another site or is unused, every command has a button or a reason for having none, and no page is
-// too large.
+// no file comes from another site or is unused, every command has a button or a reason for having none, no page is too
+// large, and the programs have the same bytes when they are written again.
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import zlib from 'node:zlib';
-import {check, finish, serve, SITE} from './browser.mjs';
+import {check, finish, serve, SITE, WEB} from './browser.mjs';
 
 const walk = (folder) => fs.readdirSync(folder, {withFileTypes: true}).flatMap((one) => one.isDirectory() ? walk(`${folder}/${one.name}`) : [`${folder}/${one.name}`]);
 const files = new Set(walk(SITE).map((file) => path.relative(SITE, file)));
@@ -150,4 +150,16 @@ const module = ['harness.wasm', 'harness.js', 'program.js', 'stage.js', 'live.js
 const sum = module.reduce((total, name) => total + weight(name), 0);
 console.log(`# size of the files that a click on Run loads: ${kilo(sum)} KB compressed`);
 check('a click on Run loads at most 290 KB, compressed', sum <= 290e3, sum);
+
+// ---- The same bytes ----
+
+// A reader's second `make site` writes the programs over the first ones. twice.mjs also links them again.
+const again = 'build/web-test/again';
+fs.rmSync(again, {recursive: true, force: true});
+fs.cpSync(WEB, again, {recursive: true, filter: (name) => !name.startsWith(`${WEB}/objects`)});
+execFileSync('.make/web.sh', {env: {...process.env, WEB_FOLDER: again}});
+const changed = walk(again).filter((name) => !fs.readFileSync(name).equals(fs.readFileSync(name.replace(again, WEB)))).map((name) => path.relative(again, name));
+check('the programs have the same bytes when they are written again', changed.length === 0, changed);
+fs.rmSync(again, {recursive: true});
+
 finish();
