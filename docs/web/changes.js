@@ -75,6 +75,14 @@ export class Changes {
         this.editor?.renew(name);
     }
 
+    // Remove a file that the reader has added.
+    forget(name) {
+        delete this.files[name];
+        this.brought.delete(name);
+        edits.keep(name, null);
+        this.tell();
+    }
+
     // Another tab has stored other texts. Files that are not shown here take over the other tab's texts; for files that
     // are shown, the reader decides.
     async elsewhere(all) {
@@ -115,11 +123,14 @@ export class Changes {
         program.write(name, text); // the program notices that the file has changed, and reloads it
         const later = [...program.later].some((one) => text.includes(`"${one.slice(one.lastIndexOf('/') + 1)}"`));
         if (later && this.stage.at) program.fetchFiles(this.stage.at.stem, this.stage.line).catch(() => {}); // the text may include files that were not needed before
-        const original = await this.original(name);
-        if (text === original) delete this.files[name];
-        else this.files[name] = text;
+        this.files[name] = text;
+        let stored = edits.keep(name, text); // at once, because the reader may be leaving the page
         edits.show('');
-        this.saved.textContent = edits.keep(name, text === original ? null : text) ? '' : 'This browser cannot store your changes: copy a link to save them.';
+        if (text === await this.original(name).catch(() => null) && this.files[name] === text) {
+            delete this.files[name];
+            stored = edits.keep(name, null);
+        }
+        this.saved.textContent = stored ? '' : 'This browser cannot store your changes: copy a link to save them.';
         this.tell();
     }
 

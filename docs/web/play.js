@@ -1,6 +1,6 @@
 // play.js - the Play page, a studio: templates to start from, named drafts with pictures that are stored on this device,
 // files that are dropped or chosen, a copy under another name, and one file for Shadertoy.
-import {kept} from './edits.js';
+import {keep as store, kept} from './edits.js';
 
 const box = document.querySelector('.drop'), chapter = box.querySelector('live-chapter'), said = box.querySelector('.said'), list = box.querySelector('.drafts');
 const field = box.querySelector('.title'), tools = [...box.querySelectorAll('.studio button, .title')];
@@ -19,20 +19,28 @@ const make = (name, properties = {}, ...children) => {
 
 // ---- Stored drafts ----
 
-// {NAME: {base, stem, good, picture}}: the text with which a draft began, the chapter whose camera it uses, the last
-// text that was drawn, and a small picture of that text. edits.js stores the changes of a draft.
-function drafts() { try { return JSON.parse(localStorage.getItem(KEY)) ?? {}; } catch { return {}; } }
+// {NAME: {base, stem, good, picture, deleted}}: the text with which a draft began, the chapter whose camera it uses, the
+// last text that was drawn, a small picture of that text, and whether the reader has deleted the draft, which can then
+// still be restored. edits.js stores the changes of a draft.
+let unstored = null; // the drafts, if the browser does not store them
+function drafts() { try { return unstored ?? JSON.parse(localStorage.getItem(KEY)) ?? {}; } catch { return {}; } }
 function keep(all) {
-    try { localStorage.setItem(KEY, JSON.stringify(all)); } catch { say('This browser cannot store drafts: download those that you want to keep.'); }
+    unstored = null;
+    try { localStorage.setItem(KEY, JSON.stringify(all)); } catch {
+        unstored = all;
+        say('This browser cannot store drafts: download those that you want to keep.');
+    }
     show();
 }
 
-// A name that the program's file system and its messages can represent.
-const slug = (name) => name.replace(/\.\w+$/, '').replace(/[^\w-]+/g, '_').replace(/^_+|_+$/g, '') || 'shader';
+// A name that the program's file system and its messages can represent, and that no chapter has.
+const slug = (name) => name.replace(/\.\w+$/, '').replace(/[^\w-]+/g, '_').slice(0, 60).replace(/^_+|_+$/g, '').replace(/^(?=\d\d_)/, 'my_') || 'shader';
 const fileOf = (name) => `chapters/${name}.frag`;
-const textOf = (name) => kept()[fileOf(name)] ?? drafts()[name].base;
+const shows = (name) => chapter.program?.state().files?.[0] === `/course/${fileOf(name)}`;
+const textOf = (name) => shows(name) ? chapter.program.read(fileOf(name)) : kept()[fileOf(name)] ?? drafts()[name].base;
+const typed = () => chapter.stage?.changes.editor?.flush(); // store what has been typed into the editor
 
-// A name that no draft has.
+// A name that no draft has. A deleted draft keeps its name.
 function free(name) {
     const all = drafts();
     for (let i = 1; ; i++) {
@@ -42,26 +50,49 @@ function free(name) {
 }
 
 function show() {
-    list.replaceChildren(...Object.entries(drafts()).map(([name, {picture}]) => {
-        const open = make('button', {type: 'button', className: 'draft'}, ...(picture ? [make('img', {src: picture, alt: '', width: SIZE[0], height: SIZE[1]})] : []), name.replaceAll('_', ' '));
-        const drop = make('button', {type: 'button', textContent: 'Delete', ariaLabel: `Delete ${name}`});
+    const focus = list.contains(document.activeElement) && document.activeElement.id;
+    list.replaceChildren(...Object.entries(drafts()).map(([name, {picture, deleted}]) => {
+        const open = make('button', {type: 'button', id: `open-${name}`, className: 'draft', disabled: deleted}, ...(picture ? [make('img', {src: picture, alt: '', width: SIZE[0], height: SIZE[1]})] : []), name.replaceAll('_', ' '));
+        const drop = make('button', {type: 'button', id: dropOf(name), textContent: deleted ? 'Undo' : 'Delete', ariaLabel: deleted ? `Undo: restore ${name}` : `Delete ${name}`});
         open.addEventListener('click', () => reopen(name));
-        drop.addEventListener('click', () => forget(name));
+        drop.addEventListener('click', () => deleted ? restore(name) : forget(name));
         open.setAttribute('aria-current', name === at);
         return make('li', {}, open, drop);
     }));
     list.hidden = list.childElementCount === 0;
+    if (focus) document.getElementById(focus)?.focus({preventScroll: true});
+}
+const dropOf = (name) => `drop-${name}`;
+
+// Remove a draft for good.
+function remove(name) {
+    const {[name]: gone, ...rest} = drafts();
+    if (chapter.stage) chapter.stage.changes.forget(fileOf(name));
+    else store(fileOf(name), null);
+    keep(rest);
 }
 
+// Delete a draft. It remains in the list, where Undo replaces Delete, and is stored until a draft is deleted in a later
+// visit to this page.
+let before = Object.keys(drafts()).filter((name) => drafts()[name].deleted); // the drafts that were deleted in earlier visits
 async function forget(name) {
-    const {[name]: gone, ...rest} = drafts();
-    await chapter.stage?.changes.change(fileOf(name), gone.base);
-    if (!chapter.stage) (await import('./edits.js')).keep(fileOf(name), null);
-    keep(rest);
-    if (name !== at) return;
-    at = '';
-    chapter.stage?.close();
-    for (const tool of tools) tool.disabled = true;
+    await typed();
+    for (const one of before) if (drafts()[one]?.deleted) remove(one);
+    before = [];
+    if (!drafts()[name]) return show(); // another tab has removed it
+    keep({...drafts(), [name]: {...drafts()[name], deleted: true}});
+    if (name === at) {
+        at = '';
+        chapter.stage?.close();
+        for (const tool of tools) tool.disabled = true;
+        document.getElementById(dropOf(name)).focus();
+    }
+    say(`${name} is deleted. Undo restores it.`);
+}
+
+function restore(name) {
+    if (drafts()[name]) keep({...drafts(), [name]: {...drafts()[name], deleted: false}});
+    say(`${name} is restored.`);
 }
 
 // ---- Running ----
@@ -72,6 +103,7 @@ async function play(name, base, text = base, stem = STEM) {
     field.value = name.replaceAll('_', ' ');
     keep({...drafts(), [name]: {...drafts()[name], base, stem}});
     const status = await chapter.play(`${name}.frag`, base, text, stem);
+    if (at !== name) return; // meanwhile, the reader has opened another draft, or deleted this one
     for (const tool of tools) tool.disabled = tool.matches('.export') && status !== 0;
     pictured = null; // take a picture once the text is drawn
     say(status === 0 ? `${name}.frag runs.` : `${name}.frag cannot be drawn; see the error above.`);
@@ -82,12 +114,19 @@ async function take(file) {
     if (file.size > LIMIT) return say(`${file.name}: ${Math.round(file.size / 1e6)} MB is too large for a shader; the limit is 1 MB`);
     const text = await file.text();
     if (text.includes('\0')) return say(`${file.name}: this is not a text file`);
-    await play(slug(file.name), text);
+    await typed();
+    const name = slug(file.name), own = free(name);
+    const same = Object.entries(drafts()).find(([one, {deleted}]) => !deleted && (one === name || one.startsWith(`${name}_`)) && textOf(one) === text);
+    if (same) return reopen(same[0]);
+    await play(own, text);
+    if (own !== name && at === own) said.append(` The draft ${name} is still there.`);
 }
 
 // If the last text of a draft was never drawn, it may block the browser. Then the reader chooses between this text and
 // the last one that was drawn.
-function reopen(name) {
+async function reopen(name) {
+    await typed();
+    if (!drafts()[name]) return show(); // another tab has removed it
     const {base, stem, good} = drafts()[name], text = textOf(name), button = (words, run) => {
         const made = make('button', {type: 'button', textContent: words});
         made.addEventListener('click', () => play(name, base, run, stem));
@@ -99,7 +138,7 @@ function reopen(name) {
 
 // Has the text of the open draft been drawn?
 function draws() {
-    if (!at || !drafts()[at] || !chapter.classList.contains('live-drawn') || !chapter.program || chapter.program.lost) return false;
+    if (!at || !drafts()[at] || !chapter.classList.contains('live-drawn') || chapter.program?.lost || !shows(at)) return false;
     const {error, compiles} = chapter.program.state();
     return error === '' && !compiles && chapter.program.reread;
 }
@@ -137,18 +176,26 @@ addEventListener('drop', (event) => {
     take(event.dataTransfer.files[0]);
 });
 field.addEventListener('change', async () => {
-    const before = at, text = textOf(at), {base} = drafts()[at], name = slug(field.value), {stem} = drafts()[at];
-    if (name === before) return;
-    await play(free(name), base, text, stem);
-    await forget(before);
+    await typed();
+    const old = at, name = slug(field.value);
+    if (!drafts()[old] || name === old) return;
+    const {base, stem} = drafts()[old], text = textOf(old), own = free(name);
+    await play(own, base, text, stem);
+    if (drafts()[own] && [old, own].every((one) => textOf(one) === text)) remove(old); // otherwise, the reader was typing meanwhile
 });
-box.querySelector('.remix').addEventListener('click', () => play(free(at), textOf(at), textOf(at), drafts()[at].stem));
+box.querySelector('.remix').addEventListener('click', async () => {
+    await typed();
+    if (drafts()[at]) await play(free(at), textOf(at), textOf(at), drafts()[at].stem);
+});
 function save(text, name) {
     const url = URL.createObjectURL(new Blob([text], {type: 'text/plain'}));
     make('a', {href: url, download: name}).click();
     setTimeout(() => URL.revokeObjectURL(url), 10000);
 }
-box.querySelector('.save').addEventListener('click', () => save(textOf(at), `${at}.frag`));
+box.querySelector('.save').addEventListener('click', async () => {
+    await typed();
+    if (at) save(textOf(at), `${at}.frag`);
+});
 box.querySelector('.export').addEventListener('click', async () => {
     save(await chapter.exported(), 'shadertoy.glsl');
     say('shadertoy.glsl is written. Paste its text into a new shader on Shadertoy.');
@@ -157,7 +204,10 @@ box.querySelector('.export').addEventListener('click', async () => {
 box.querySelector('.live-start')?.addEventListener('click', async () => {
     await new Promise((ran) => { const wait = () => chapter.program?.call('live_runs') && !chapter.classList.contains('live-waits') ? ran() : requestAnimationFrame(wait); wait(); });
     const name = /^\/course\/chapters\/([\w-]+)\.frag$/.exec(chapter.program.state().files[0])?.[1];
-    if (name && !/^\d\d_/.test(name)) await play(name, drafts()[name]?.base ?? chapter.program.read(fileOf(name)), chapter.program.read(fileOf(name)));
+    if (!name || /^\d\d_/.test(name)) return;
+    const text = chapter.program.read(fileOf(name)), own = drafts()[name];
+    if (own && !own.deleted && (kept()[fileOf(name)] ?? own.base) === text) await play(name, own.base, text);
+    else await play(free(name), text);
 });
 
 show();

@@ -89,6 +89,18 @@ await page.waitForFunction(() => document.querySelector('.cm-content').textConte
 check('the reader can take the text of the other tab', await page.getByText('Another tab has changed').isHidden());
 await both.close();
 
+// ---- A page that is left while the reader types ----
+
+({page, said} = await open('00_first_scene.html'));
+await page.locator('.live-start').first().click();
+await runs(page);
+await page.getByRole('button', {name: 'Edit', exact: true}).click();
+await page.locator('.cm-content').click();
+await page.keyboard.type('// last words');
+await page.reload();
+check('what was typed just before the page is left is stored', await page.evaluate(() => JSON.stringify({...localStorage}).includes('// last words')));
+await page.close();
+
 // ---- Addresses ----
 
 for (const hash of ['#100%', '#edit=%%%']) {

@@ -74,6 +74,7 @@ check('a file that is not text is refused', true);
 
 const text = () => page.evaluate(() => document.querySelector('.live-on').stage.changes.editor.text());
 const drafts = () => page.locator('.draft').allTextContents();
+const stored = () => page.evaluate(() => JSON.parse(localStorage[Object.keys(localStorage).find((key) => key.startsWith('ray marching: changes'))] ?? '{}')); // the changed texts of all files
 const flat = (colour) => `void mainImage(out vec4 c, in vec2 p) { c = vec4(${colour}, 1.0); }\n`;
 await drop('mine.frag', flat('0.0, 0.0, 1.0'));
 now = await until((s) => s.files?.[0]?.endsWith('/mine.frag') && s.rate > 0);
@@ -83,7 +84,13 @@ await page.keyboard.type('// older\n');
 await page.waitForSelector('.live-changes:not([hidden])');
 await drop('mine.frag', flat('1.0, 0.0, 0.0'));
 await page.waitForFunction((newer) => document.querySelector('.live-on')?.stage.changes.editor.text() === newer, flat('1.0, 0.0, 0.0'));
-check('a dropped file of the same name replaces the text in the editor', await text() === flat('1.0, 0.0, 0.0') && await page.locator('.live-changes').isHidden());
+await page.waitForFunction(() => document.querySelector('.said').textContent === 'mine_2.frag runs. The draft mine is still there.');
+check('a dropped file with the name of a draft becomes another draft', (await drafts()).includes('mine') && (await drafts()).includes('mine 2') && await page.locator('.live-changes').isHidden(), await drafts());
+check('the draft with that name keeps its text', (await stored())['chapters/mine.frag'] === `// older\n${flat('0.0, 0.0, 1.0')}`, await stored());
+const many = await page.locator('.draft').count();
+await drop('mine.frag', flat('1.0, 0.0, 0.0'));
+await frames(page, 30);
+check('a file that is dropped again is the same draft', await page.locator('.draft').count() === many && await text() === flat('1.0, 0.0, 0.0'), await drafts());
 await page.locator('.cm-content').click();
 await page.keyboard.press('Control+Home');
 await page.keyboard.type('// newer\n');
@@ -99,22 +106,72 @@ await page.waitForFunction(() => document.querySelector('.draft[aria-current=tru
 await page.waitForFunction(() => JSON.stringify({...localStorage}).split('// kept').length > 2); // stored both as a change and as the last text that was drawn
 check('a draft has a name and a picture', (await drafts()).includes('mine') && await page.locator('.draft').count() >= 4, await drafts());
 await page.reload();
-await page.getByRole('button', {name: 'mine', exact: true}).click();
-now = await until((s) => s.files?.[0]?.endsWith('/mine.frag') && s.rate > 0);
+await page.getByRole('button', {name: 'mine 2', exact: true}).click();
+now = await until((s) => s.files?.[0]?.endsWith('/mine_2.frag') && s.rate > 0);
 await page.waitForSelector('.cm-content');
 check('after a reload, the draft and its changes are still there', (await text()).includes('// kept'), await text());
 await page.getByRole('button', {name: 'Remix'}).click();
-await until((s) => s.files?.[0]?.endsWith('/mine_2.frag') && s.rate > 0);
-check('Remix copies the text under another name', (await drafts()).includes('mine 2') && (await text()).includes('// kept'), await drafts());
+await until((s) => s.files?.[0]?.endsWith('/mine_2_2.frag') && s.rate > 0);
+check('Remix copies the text under another name', (await drafts()).includes('mine 2 2') && (await text()).includes('// kept'), await drafts());
 await page.waitForFunction(() => !document.querySelector('.studio .title').disabled);
 await page.getByLabel('Name').fill('red sky');
 await page.getByLabel('Name').press('Enter');
 await until((s) => s.files?.[0]?.endsWith('/red_sky.frag') && s.rate > 0);
-await page.waitForFunction(() => ![...document.querySelectorAll('.draft')].some((one) => one.textContent === 'mine 2'));
-check('the name of a draft can be changed', (await drafts()).includes('red sky') && !(await drafts()).includes('mine 2'), await drafts());
-await page.getByRole('button', {name: 'Delete red_sky'}).click();
-await page.waitForFunction(() => ![...document.querySelectorAll('.draft')].some((one) => one.textContent === 'red sky'));
-check('a draft can be deleted', await page.evaluate(() => !JSON.stringify({...localStorage}).includes('red_sky')));
+await page.waitForFunction(() => ![...document.querySelectorAll('.draft')].some((one) => one.textContent === 'mine 2 2'));
+check('the name of a draft can be changed', (await drafts()).includes('red sky') && !(await drafts()).includes('mine 2 2'), await drafts());
+
+// ---- Delete and Undo ----
+
+const red = page.getByRole('button', {name: 'red sky', exact: true}), drop_red = page.getByRole('button', {name: 'Delete red_sky'}), undo_red = page.getByRole('button', {name: 'Undo: restore red_sky'});
+const focus = () => page.evaluate(() => document.activeElement.ariaLabel);
+await page.locator('.cm-content').click();
+await page.keyboard.press('Control+Home');
+await page.keyboard.type('// just now\n');
+const last = await text();
+await drop_red.click(); // before the text is stored
+await undo_red.waitFor();
+check('a deleted draft is closed, and Undo has the focus', await red.isDisabled() && await page.locator('.live-window').count() === 0 && await focus() === 'Undo: restore red_sky', await focus());
+check('the page says that the draft is deleted', await page.locator('.said[role=status]').textContent() === 'red_sky is deleted. Undo restores it.');
+await page.keyboard.press('Enter');
+check('Undo restores the draft, and the focus stays', await red.isEnabled() && await focus() === 'Delete red_sky', await focus());
+await red.click();
+await until((s) => s.files?.[0]?.endsWith('/red_sky.frag') && s.rate > 0);
+await page.waitForSelector('.cm-content');
+check('a restored draft has its text', await text() === last && last.startsWith('// just now'), await text());
+await page.keyboard.press('Escape');
+await drop_red.focus();
+await page.keyboard.press('Space');
+await undo_red.waitFor();
+await page.reload();
+check('after a reload, a deleted draft can still be restored', await red.isDisabled() && await undo_red.isVisible());
+await page.getByRole('button', {name: 'Delete again'}).click();
+await undo_red.waitFor({state: 'detached'});
+check('a draft that is deleted in a later visit removes it for good', await page.evaluate(() => !JSON.stringify({...localStorage}).includes('red_sky')));
+await page.getByRole('button', {name: 'Undo: restore again'}).click();
+check('the one that was deleted last can be restored', await page.getByRole('button', {name: 'again', exact: true}).isEnabled());
+await drop('03_shadows.glsl', flat('0.0, 1.0, 0.0'));
+await until((s) => s.files?.[0]?.endsWith('/my_03_shadows.frag') && s.rate > 0);
+check('a dropped file with the name of a chapter does not become the chapter\'s shader', (await drafts()).includes('my 03 shadows'), await drafts());
+
+// ---- A link, and a browser that stores nothing ----
+
+const link = await page.evaluate(async (text) => (await import('./edits.js')).pack('01_normal_colouring', '--shader chapters/mine.frag', {'chapters/mine.frag': text}), flat('1.0, 1.0, 0.0'));
+const mine = (await stored())['chapters/mine.frag'];
+await page.goto('about:blank');
+await page.goto(`${server.at}/play.html${link}`);
+await page.locator('.live-start').click();
+await page.waitForFunction(() => /^mine_\d\.frag runs/.test(document.querySelector('.said').textContent));
+check('a link whose file has the name of a draft becomes another draft', mine.startsWith('// older') && (await stored())['chapters/mine.frag'] === mine && await text() === flat('1.0, 1.0, 0.0'), await stored());
+const deaf = await blankPage(browser, {context: {acceptDownloads: true}, before: () => { Storage.prototype.setItem = () => { throw new Error('full'); }; }});
+await deaf.page.goto(`${server.at}/play.html`);
+await deaf.page.getByRole('button', {name: 'Blank sheet'}).click();
+await deaf.page.locator('.cm-content').click();
+await deaf.page.keyboard.press('Control+Home');
+await deaf.page.keyboard.type('// unstored\n');
+const [download] = await Promise.all([deaf.page.waitForEvent('download'), deaf.page.locator('button.save').click()]);
+check('if the browser stores nothing, the changed text can still be downloaded', fs.readFileSync(await download.path(), 'utf8').startsWith('// unstored') && deaf.said.length === 0, deaf.said);
+await deaf.page.close();
+await page.goto(`${server.at}/play.html`);
 check('there are ten templates to start from', await page.locator('.starter[data-file]').count() === 10);
 await page.getByRole('button', {name: 'Blank sheet'}).click();
 now = await until((s) => s.files?.[0]?.endsWith('/blank.frag') && s.rate > 0);
