@@ -40,7 +40,7 @@ int main(int argc, char **argv)
         live_chapters[i].main(1, argv);
     int status = lecture_read(&lecture, argv[argc - 1], chapters, chapter_count);
     if (status == RUN_DONE && prints)
-        lecture_print(lecture, stdout);
+        lecture_print(lecture);
     else if (status == RUN_DONE)
         status = lecture_open(lecture);
     if (status == RUN_DONE && !prints &&

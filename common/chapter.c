@@ -7,6 +7,7 @@
 #include "context/guard.h"
 #include "memory.h"
 #include "picture/benchmark.h"
+#include "platform.h"
 #include "report.h"
 #include "shader/compile.h"
 #include "shader/export.h"
@@ -23,9 +24,20 @@ static int print_shader(struct run *run)
         text = shader_text(source, options->view);
     if (text == NULL)
         return RUN_NOT_DONE;
-    fputs(text, stdout);
+    if (platform_is_terminal(stdout))
+        report_text(text);
+    else
+        fputs(text, stdout); // a file receives every byte of the shader
     free(text);
     return RUN_DONE;
+}
+
+// Print the text of a stream that memory_open opened, and free it.
+static void print_stream(FILE *stream, char **text)
+{
+    memory_close(stream);
+    report_text(*text);
+    free(*text);
 }
 
 static int print_version(const struct run *run)
@@ -35,7 +47,7 @@ static int print_version(const struct run *run)
     if (!context_open_offscreen(&context, run->options.backend))
         return RUN_NOT_DONE;
     context_describe(&context, text, sizeof text);
-    printf("%s: %s\n", run->stem, text);
+    report_result("%s: %s\n", run->stem, text);
     context_close(&context);
     return RUN_DONE;
 }
@@ -54,7 +66,10 @@ static bool run_benchmark(struct run *run)
     if (!benchmark_load(&benchmark, renderer, &picture->source, &picture->parameters) ||
         !benchmark_run(&benchmark, &run->context, renderer))
         return false;
-    benchmark_print(&benchmark, options->json, stdout);
+    char *text;
+    FILE *stream = memory_open(&text);
+    benchmark_print(&benchmark, options->json, stream);
+    print_stream(stream, &text);
     return true;
 }
 
@@ -62,7 +77,7 @@ static bool open_loop(struct run *run)
 {
     run->start = run_window_start(run);
     if (run->options.shader != NULL)
-        printf("%s: reloads on every save\n", run->options.shader);
+        report_result("%s: reloads on every save\n", run->options.shader);
     fflush(stdout);
     run->window = window_open(&run->context, &run->start);
     return run->window != NULL;
@@ -102,20 +117,26 @@ static int open_and_draw(struct run *run)
 // Print the parameters and textures for --list.
 static int print_list(const struct run *run)
 {
+    char *text;
+    FILE *stream = memory_open(&text);
     for (int i = 0; i < (run->options.compares ? 2 : 1); i++) {
         const struct loader *picture = &run->picture[i];
         if (i > 0)
-            printf("\n# second picture\n");
-        parameters_print(&picture->parameters, stdout);
-        samplers_print(&picture->parameters.samplers, &picture->source, stdout);
+            fprintf(stream, "\n# second picture\n");
+        parameters_print(&picture->parameters, stream);
+        samplers_print(&picture->parameters.samplers, &picture->source, stream);
     }
+    print_stream(stream, &text);
     return RUN_DONE;
 }
 
 static int act(struct run *run, const struct chapter *chapter, const char *program)
 {
     if (run->options.action == OPTIONS_HELP) {
-        options_print_help(stdout, program, chapter->title, chapter->shows);
+        char *text;
+        FILE *stream = memory_open(&text);
+        options_print_help(stream, program, chapter->title, chapter->shows);
+        print_stream(stream, &text);
         return RUN_DONE;
     }
     if (run->options.action == OPTIONS_VERSION)

@@ -1,5 +1,6 @@
 #include "command/lecture.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,7 +15,8 @@ struct scene {
     const char *text;  // its line in the list: the chapter and the options
     char *word[WORDS]; // argv; the strings are in words
     char *words;       // owned
-    char *sentence;    // owned
+    char *sentence;    // in the list, like text; NULL if there is none
+    char *end;         // the end of the sentence
     char *caption;     // its number and sentence, owned
     struct run run;    // its options, and its pictures if they are compiled
     struct window_start start;
@@ -110,22 +112,31 @@ static void add_part(struct lecture *lecture, const char *name)
     lecture->part[lecture->parts++] = name + strspn(name, " \t");
 }
 
-static void add_scene(struct lecture *lecture, int line, const char *text)
+// Returns false after reporting the error.
+static bool add_scene(struct lecture *lecture, int line, const char *text)
 {
+    if (lecture->count == LECTURE_SCENES)
+        return report("a lecture has at most %d scenes: split the list", LECTURE_SCENES);
     lecture->scene = memory_row(lecture->scene, lecture->count, sizeof *lecture->scene);
     lecture->scene[lecture->count++] =
         (struct scene){.line = line, .part = lecture->parts, .text = text};
+    return true;
 }
 
 // Add a line to the sentence of the last scene. Returns false after reporting the error.
-static bool add_sentence(struct lecture *lecture, const char *text)
+static bool add_sentence(struct lecture *lecture, char *text)
 {
     if (lecture->count == 0)
         return report("a sentence without a scene: a scene's line must not begin with a blank");
     struct scene *scene = &lecture->scene[lecture->count - 1];
-    char *before = scene->sentence;
-    scene->sentence = before != NULL ? memory_text("%s %s", before, text) : memory_text("%s", text);
-    free(before);
+    size_t length = strlen(text);
+    if (scene->sentence == NULL) {
+        scene->sentence = scene->end = text;
+    } else { // the line moves towards the beginning of the list, behind the line before it
+        *scene->end++ = ' ';
+        memmove(scene->end, text, length + 1);
+    }
+    scene->end += length;
     return true;
 }
 
@@ -155,8 +166,8 @@ static int read_lines(struct lecture *lecture)
             return RUN_WRONG_COMMAND_LINE;
         if (blank == 0 && strncmp(text, "==", 2) == 0)
             add_part(lecture, text + 2);
-        else if (blank == 0)
-            add_scene(lecture, line, text);
+        else if (blank == 0 && !add_scene(lecture, line, text))
+            return RUN_WRONG_COMMAND_LINE;
     }
     report_location(NULL);
     if (lecture->count > 0)
@@ -184,19 +195,28 @@ int lecture_read(struct lecture **lecture, const char *path, const struct lectur
         status = read_scene(scene, chapters, count);
         scene->caption = memory_text("%d/%d  %s", i + 1, new->count,
                                      scene->sentence != NULL ? scene->sentence : "");
+        report_clean(scene->caption, strlen(scene->caption) + 1, scene->caption);
     }
     report_location(NULL);
     return status;
 }
 
-void lecture_print(const struct lecture *lecture, FILE *file)
+static void print_field(const char *text, char end)
+{
+    report_text(text);
+    putchar(end);
+}
+
+void lecture_print(const struct lecture *lecture)
 {
     for (int i = 0; i < lecture->count; i++) {
         const struct scene *scene = &lecture->scene[i];
         const char *options = scene->text + strcspn(scene->text, " \t");
-        fprintf(file, "%d\037%s\037%s\037%s\037%s\n", i + 1,
-                scene->part > 0 ? lecture->part[scene->part - 1] : "", scene->run.stem,
-                options + strspn(options, " \t"), scene->sentence != NULL ? scene->sentence : "");
+        printf("%d\037", i + 1);
+        print_field(scene->part > 0 ? lecture->part[scene->part - 1] : "", '\037');
+        print_field(scene->run.stem, '\037');
+        print_field(options + strspn(options, " \t"), '\037');
+        print_field(scene->sentence != NULL ? scene->sentence : "", '\n');
     }
 }
 
@@ -386,7 +406,6 @@ void lecture_close(struct lecture *lecture)
         struct scene *scene = &lecture->scene[i];
         run_close(&scene->run);
         free(scene->words);
-        free(scene->sentence);
         free(scene->caption);
     }
     context_close(&lecture->context);

@@ -14,6 +14,8 @@
 
 #include "command/run.h"
 
+enum { LECTURE_SCENES = 1000 }; // maximum number of scenes
+
 // A chapter that a scene may name.
 struct lecture_chapter {
     const char *stem, *title;
@@ -29,14 +31,14 @@ struct lecture;
 //   chapters, count  the chapters, which must outlive the lecture, and their number
 // Returns RUN_DONE. After reporting the error, returns RUN_NOT_DONE if a shader cannot be read, or
 // RUN_WRONG_COMMAND_LINE if the list is missing or has no scenes, or has an unknown chapter, a
-// wrong option, an option that is not for a window, an unclosed quote, or a sentence without a
-// scene. An error in a scene is reported with its line.
+// wrong option, an option that is not for a window, an unclosed quote, more than LECTURE_SCENES
+// scenes, or a sentence without a scene. An error in a scene is reported with its line.
 int lecture_read(struct lecture **lecture, const char *path, const struct lecture_chapter *chapters,
                  int count);
 
-// Print the scenes, one per line, for the scripts that make slides: number, part, stem, the scene's
-// options and its sentence, separated by the character with code 31.
-void lecture_print(const struct lecture *lecture, FILE *file);
+// Print the scenes on standard output, one per line, for the scripts that make slides: number,
+// part, stem, the scene's options and its sentence, separated by the character with code 31.
+void lecture_print(const struct lecture *lecture);
 
 // Fill the screen with the first scene. Returns the exit status so far, which is RUN_NO_WINDOW if
 // no window can be opened.

@@ -27,7 +27,8 @@ bool run_parse(struct run *run, const char *stem, const char *title, const struc
     if (!run->options.has_camera)
         run->options.camera = *camera;
     run->stem = stem;
-    run->title = run->options.shader != NULL ? name_of(run->options.shader) : title;
+    report_clean(run->title, sizeof run->title,
+                 run->options.shader != NULL ? name_of(run->options.shader) : title);
     return true;
 }
 

@@ -19,7 +19,7 @@ enum { RUN_DONE = 0, RUN_NOT_DONE = 1, RUN_WRONG_COMMAND_LINE = 2, RUN_NO_WINDOW
 struct run {
     const char *stem;                  // the chapter's stem
     const struct sculpture_tool *tool; // the chapter's tool; NULL if it has none
-    const char *title; // the chapter's title, or the name of the file given with --shader
+    char title[256]; // the chapter's title, or the clean name of the file given with --shader
     struct options options;
     char root[PLATFORM_PATH];     // the project's folder
     char shader[PLATFORM_PATH];   // the path of the shader to run

@@ -116,7 +116,7 @@ static bool write_frames(struct run *run, struct renderer_inputs inputs)
     bool done = probe == NULL || march_shown(run, &inputs, probe);
     int first = options->first_frame, count = options->frames - first;
     for (int i = first; i < options->frames && done; i++) {
-        sequence_progress(i - first, count);
+        report_progress(i - first, count, "pictures");
         inputs.frame = i;
         // The steps of a walk belong to one march, so the time is fixed.
         inputs.time = options->time + (options->walk ? 0.0 : i / options->fps);
@@ -129,7 +129,7 @@ static bool write_frames(struct run *run, struct renderer_inputs inputs)
                write_picture(run, &inputs, probe, path);
     }
     if (done)
-        sequence_progress(count, count);
+        report_progress(count, count, "pictures");
     free(probe);
     return done;
 }

@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "platform.h"
 #include "report.h"
 
 // Return the end of the conversion that begins at a '%', or NULL if the conversion is not allowed.
@@ -36,14 +35,4 @@ bool sequence_path(const char *name, int number, char *path, size_t size)
     if (length >= 0 && (size_t)length < size)
         return true;
     return report("%.40s...: the name is too long", name);
-}
-
-void sequence_progress(int done, int count)
-{
-    if (!platform_is_terminal(stderr))
-        return;
-    fprintf(stderr, "%d of %d pictures\r", done, count);
-    if (done == count)
-        fprintf(stderr, "%*s\r", 40, "");
-    fflush(stderr);
 }

@@ -1,4 +1,4 @@
-// sequence.h - a film as a sequence of pictures: their file names and the progress of writing them.
+// sequence.h - a film as a sequence of pictures: their file names.
 #ifndef SEQUENCE_H
 #define SEQUENCE_H
 
@@ -16,9 +16,5 @@ bool sequence_is_name(const char *name);
 //   path    receives the name with the number instead of the conversion, at most size bytes
 // Returns false after reporting the error if the new name is too long.
 bool sequence_path(const char *name, int number, char *path, size_t size);
-
-// Print how many pictures are done, on standard error if that is a terminal. The cursor stays at
-// the beginning of the line, so that the next message overwrites it; the last call clears the line.
-void sequence_progress(int done, int count);
 
 #endif

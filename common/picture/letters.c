@@ -8,6 +8,7 @@
 #include <stb/stb_truetype.h>
 
 #include "memory.h"
+#include "report.h"
 
 struct letters_known {
     uint32_t code;
@@ -25,21 +26,8 @@ static const stbtt_fontinfo *font(void)
 
 uint32_t letters_next(const char **text)
 {
-    static const uint32_t least[] = {0, 0x80, 0x800, 0x10000};
-    const unsigned char *at = (const unsigned char *)*text;
-    int more = at[0] < 0x80       ? 0
-               : at[0] >> 5 == 6  ? 1
-               : at[0] >> 4 == 14 ? 2
-               : at[0] >> 3 == 30 ? 3
-                                  : -1;
-    uint32_t code = more <= 0 ? at[0] : at[0] & (0x3Fu >> more);
-    int taken = 1;
-    while (taken <= more && at[taken] >> 6 == 2)
-        code = code << 6 | (at[taken++] & 0x3Fu);
-    *text += taken;
-    if (more < 0 || taken <= more || code < least[more] || code > 0x10FFFF || code >> 11 == 0x1B)
-        return 0xFFFD;
-    return code == '\t' ? ' ' : code < ' ' || (code >= 0x7F && code < 0xA0) ? 0xFFFD : code;
+    uint32_t code = report_next(text, "\t");
+    return code == '\t' ? ' ' : code;
 }
 
 float letters_advance(uint32_t code)

@@ -23,7 +23,7 @@ extern const unsigned char letters_font[];
 // Read the next character of a string, and advance *text past it.
 //   text  UTF-8; must not be empty
 // Returns the character's code, but a space for a tab, and 0xFFFD, a question mark in a diamond,
-// for bytes that are not UTF-8 and for control characters.
+// instead of all that report_next replaces.
 uint32_t letters_next(const char **text);
 
 // Return the distance from the beginning of a letter to that of the next one, in units. It is

@@ -42,6 +42,7 @@ void window_retitle(struct window *window)
              window->broken ? " - error: see terminal" : "", rate,
              shader_view_name(window->renderer->view), parameter != NULL ? " - " : "", name,
              parameter != NULL ? " = " : "", value, window->paused ? " (paused)" : "");
+    report_clean(text, sizeof text, text); // a name may have been cut within a character
     if (strcmp(text, window->title.shown) != 0)
         glfwSetWindowTitle(window->handle, text);
     memcpy(window->title.shown, text, sizeof text);

@@ -50,7 +50,7 @@ void window_screenshot(struct window *window)
     bool drawn = sharpened ? renderer_sharp_picture(window->renderer, &image)
                            : renderer_picture(window->renderer, &window->inputs, &image);
     if (drawn && find_name(window, path) && image_write_png(&image, path)) {
-        printf("%s: written, %dx%d\n", path, image.width, image.height);
+        report_result("%s: written, %dx%d\n", path, image.width, image.height);
         fflush(stdout);
     }
     image_free(&image);

@@ -56,7 +56,7 @@ static void reload(struct window *window)
         struct loader *picture = &start->picture[i];
         bool loaded = read[i] && loader_compile(picture);
         if (loaded)
-            printf("%s: reloaded\n", picture->path);
+            report_result("%s: reloaded\n", picture->path);
         window->stale |= loaded;
         all &= loaded;
     }
