@@ -1,5 +1,6 @@
 #include "memory.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -8,11 +9,24 @@
 #include "platform.h"
 #include "report.h"
 
+const char *memory_limit(void)
+{
+    static char phrase[128];
+    char option;
+    double limit = platform_memory_limit(&option);
+    if (limit == HUGE_VAL)
+        return "";
+    snprintf(phrase, sizeof phrase,
+             "; this process may use only %.0f MB of memory: raise the limit (ulimit -%c)",
+             1e-6 * limit, option);
+    return phrase;
+}
+
 static void need(bool there)
 {
     if (there)
         return;
-    report("not enough memory: close other programs, or allow more with ulimit -v");
+    report("not enough memory: close other programs%s", memory_limit());
     exit(EXIT_FAILURE);
 }
 

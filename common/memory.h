@@ -16,6 +16,11 @@ void *memory_zeros(size_t count, size_t size);
 // the array is reallocated to about twice its size. Returns the array.
 void *memory_row(void *row, int count, size_t size);
 
+// Return a phrase for the end of a message if the memory of the process is limited, because the
+// limit may be the reason why something failed: "; this process may use only 250 MB of memory:
+// raise the limit (ulimit -v)". Without a limit, returns "".
+const char *memory_limit(void);
+
 // Return the text that printf would print.
 char *memory_text(const char *format, ...) __attribute__((format(printf, 1, 2)));
 

@@ -106,18 +106,18 @@ enum platform_display platform_display(void);
 
 // ---- Crashes and memory ----
 
-// From now on, if the program crashes, it prints these words and ends with status 1.
-//   words  not copied, with a final newline; NULL restores the earlier behaviour
-// Call this alternately with words and with NULL.
+// From now on, if the program crashes or aborts, it prints these words and ends with status 1.
+//   words  not copied, with a final newline; NULL restores the behaviour before the first call
 void platform_watch_crash(const char *words);
 
 // Do the same, permanently, if a file that is mapped into memory can no longer be accessed, for
 // example because its disk is full.
 void platform_watch_lost_page(const char *words);
 
-// Do the same, permanently, for a crash or an abort if the memory of the process is limited
-// (ulimit -v), because a driver that cannot get more memory crashes or aborts.
-void platform_watch_short_memory(const char *words);
+// Return how many bytes of memory the process may use, apart from platform_limit_memory, or
+// HUGE_VAL if there is no limit.
+//   option  receives the option of the shell's ulimit that sets the limit, such as 'v'
+double platform_memory_limit(char *option);
 
 // Limit the process to this many bytes of memory more than it has now. There is no limit if the
 // system does not say how much memory the process has.

@@ -61,8 +61,8 @@ bool gl_load(struct gl *gl, gl_function (*find)(const char *name))
 // NOLINTEND(bugprone-macro-parentheses)
 #undef GL_LOAD
     return missing == NULL || report("OpenGL: %s: the driver lacks this function: update the "
-                                     "driver or try another --backend",
-                                     missing);
+                                     "driver or try another --backend%s",
+                                     missing, memory_limit());
 }
 
 // The version is checked before the table of functions is loaded, so that the message about an old
@@ -131,9 +131,10 @@ bool context_open_offscreen(struct context *context, enum context_backend wanted
     if (reasons[0] == '\0')
         report_not_built_in(wanted);
     else
-        report("OpenGL %d.%d: no context: %s: update the graphics driver or %s", GL_NEEDED_MAJOR,
+        report("OpenGL %d.%d: no context: %s: update the graphics driver or %s%s", GL_NEEDED_MAJOR,
                GL_NEEDED_MINOR, reasons,
-               wanted == CONTEXT_ANY ? "install Mesa (make setup)" : "try another --backend");
+               wanted == CONTEXT_ANY ? "install Mesa (make setup)" : "try another --backend",
+               memory_limit());
     return false;
 }
 
@@ -163,8 +164,8 @@ bool context_open_window(struct context *context, enum context_backend wanted, c
     }
     return report(
         "window with OpenGL %d.%d: cannot be opened: %s: try another display or driver, or render "
-        "without a window with --output FILE.png",
-        GL_NEEDED_MAJOR, GL_NEEDED_MINOR, why);
+        "without a window with --output FILE.png%s",
+        GL_NEEDED_MAJOR, GL_NEEDED_MINOR, why, memory_limit());
 }
 
 void context_close(struct context *context)

@@ -4,11 +4,14 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "memory.h"
 #include "platform.h"
+#include "report.h"
 
 #define MEMORY_MOST 4e9 // additional bytes that a driver may use to compile a shader
 
-static char message[1024]; // printed if the driver crashes
+static char message[1024]; // printed if the driver crashes between guard_begin and guard_end
+static char outside[256];  // printed if it crashes elsewhere; "" if nothing is printed
 
 void guard_forget_caches(void)
 {
@@ -23,9 +26,10 @@ void guard_process(void)
     platform_watch_lost_page(
         "the graphics driver lost its shader cache: is the disk of the cache full? "
         "set MESA_SHADER_CACHE_DISABLE=true\n");
-    platform_watch_short_memory(
-        "the graphics driver crashed: the memory of this process is limited: "
-        "raise the limit (ulimit -v)\n");
+    // Nothing but a limit has yet been seen to crash a driver while it draws.
+    if (memory_limit()[0] != '\0')
+        snprintf(outside, sizeof outside, "the graphics driver crashed%s\n", memory_limit());
+    guard_end();
 }
 
 void guard_memory(void)
@@ -37,14 +41,15 @@ void guard_begin(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(message, sizeof message - 1, format, arguments);
+    vsnprintf(message, sizeof message - 256, format, arguments);
     va_end(arguments);
-    strcat(message, "\n");
+    report_clean(message, sizeof message, message);
+    memory_append(message, sizeof message, "%s\n", memory_limit());
     platform_watch_crash(message);
 }
 
 void guard_end(void)
 {
     platform_free_memory();
-    platform_watch_crash(NULL);
+    platform_watch_crash(outside[0] != '\0' ? outside : NULL);
 }

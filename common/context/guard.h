@@ -4,14 +4,15 @@
 
 // Call before opening a driver. The program then prints one line and ends with status 1 if the
 // driver's shader cache, a file mapped into memory, can no longer be accessed because its disk is
-// full, or if the driver crashes while the memory of the process is limited.
+// full, or if the driver crashes while the memory of the process is limited (ulimit -v).
 void guard_process(void);
 
 // Call before opening a driver. The driver then compiles every shader without its cache.
 void guard_forget_caches(void);
 
-// Between guard_begin and guard_end, if the driver crashes, the program prints one line and ends
-// with status 1.
+// Between guard_begin and guard_end, if the driver crashes or aborts, the program prints one line
+// and ends with status 1. If the memory of the process is limited, the line ends with
+// memory_limit().
 //   format  what failed and what to do, as a printf format without a final newline
 void guard_begin(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void guard_end(void);

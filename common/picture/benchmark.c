@@ -215,7 +215,7 @@ static bool count_evaluations(struct benchmark *benchmark, struct renderer *rend
     inputs.samples = 1;
     bool done = counts != NULL && alone != NULL && each != NULL;
     if (!done)
-        report("--benchmark: not enough memory: try a smaller --size");
+        report("--benchmark: not enough memory: try a smaller --size%s", memory_limit());
     done = done && draw_counts(renderer, &inputs, counts);
     if (done)
         memcpy(alone, counts, 4 * sizeof *alone * pixels);

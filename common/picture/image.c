@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "memory.h"
 #include "report.h"
 
 enum { CHANNELS = 3 };
@@ -14,7 +15,8 @@ bool image_create(struct image *image, int width, int height)
                       IMAGE_SIDE_LIMIT);
     unsigned char *pixel = calloc((size_t)width * (size_t)height, CHANNELS);
     if (pixel == NULL)
-        return report("picture %dx%d: not enough memory: choose a smaller one", width, height);
+        return report("picture %dx%d: not enough memory: choose a smaller one%s", width, height,
+                      memory_limit());
     *image = (struct image){.width = width, .height = height, .pixel = pixel};
     return true;
 }

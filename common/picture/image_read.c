@@ -6,6 +6,7 @@
 
 #include <png.h>
 
+#include "memory.h"
 #include "shader/text_file.h"
 
 // An error handler must not return to libpng, so this one jumps to the call of setjmp.
@@ -19,6 +20,13 @@ static void refuse(png_structp png, const char *why)
 {
     snprintf(png_get_error_ptr(png), IMAGE_WHY, "%s", why);
     png_longjmp(png, 1);
+}
+
+static void refuse_memory(png_structp png)
+{
+    char why[IMAGE_WHY];
+    snprintf(why, sizeof why, "not enough memory%s", memory_limit());
+    refuse(png, why);
 }
 
 static void on_png_warning(png_structp png, png_const_charp text)
@@ -50,7 +58,7 @@ static void read_pixels(png_structp png, png_infop info, struct image_bytes *byt
     size_t row = (size_t)bytes->channels * width;
     bytes->value = malloc(row * height);
     if (bytes->value == NULL)
-        refuse(png, "not enough memory");
+        refuse_memory(png);
     bytes->width = (int)width;
     bytes->height = (int)height;
     if (png_get_rowbytes(png, info) != row)
@@ -63,7 +71,7 @@ static void read_pixels(png_structp png, png_infop info, struct image_bytes *byt
 
 static bool decode(struct image_bytes *bytes, FILE *file, size_t most, char why[IMAGE_WHY])
 {
-    snprintf(why, IMAGE_WHY, "not enough memory");
+    snprintf(why, IMAGE_WHY, "not enough memory%s", memory_limit());
     png_structp png =
         png_create_read_struct(PNG_LIBPNG_VER_STRING, why, on_png_error, on_png_warning);
     png_infop info = png != NULL ? png_create_info_struct(png) : NULL;

@@ -134,7 +134,8 @@ bool texture_image_read(struct texture_image *image, const struct sampler *sampl
         make_code(&code[0], sampler->srgb);
         make_code(&code[1], false);
         done = make_levels(image, code, first_level(image, &bytes, code, size), size);
-        snprintf(why, IMAGE_WHY, "not enough memory for %dx%d pixels", bytes.width, bytes.height);
+        snprintf(why, IMAGE_WHY, "not enough memory for %dx%d pixels%s", bytes.width, bytes.height,
+                 memory_limit());
     } else
         snprintf(why, IMAGE_WHY, "%d slices do not divide the height of %d pixels", slices,
                  bytes.height);

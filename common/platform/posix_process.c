@@ -1,19 +1,23 @@
 // platform.h for Linux, macOS and similar systems: crashes and memory.
 #include "platform.h"
 
+#include <math.h>
 #include <signal.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 static struct {
-    const char *words, *lost_page, *short_memory;
+    const char *words, *lost_page;
     char stack[64 * 1024]; // for the signal handler, in case the program's stack is used up
-    struct sigaction before;
+    struct sigaction before[2];
     stack_t stack_before;
     struct rlimit memory_before;
     bool limited;
 } state;
+
+// A driver that cannot get more memory crashes or aborts.
+static const int crashes[2] = {SIGSEGV, SIGABRT};
 
 static void end(const char *words)
 {
@@ -28,12 +32,6 @@ static void on_crash(int number)
     end(state.words);
 }
 
-static void on_short_memory(int number)
-{
-    (void)number;
-    end(state.short_memory);
-}
-
 static void on_lost_page(int number)
 {
     (void)number;
@@ -44,14 +42,17 @@ void platform_watch_crash(const char *words)
 {
     struct sigaction action = {.sa_handler = on_crash, .sa_flags = SA_ONSTACK};
     stack_t own = {.ss_sp = state.stack, .ss_size = sizeof state.stack};
-    if (words == NULL) {
-        sigaction(SIGSEGV, &state.before, NULL);
+    bool watched = state.words != NULL, watches = words != NULL;
+    if (watches)
+        state.words = words;
+    if (watches && !watched)
+        sigaltstack(&own, &state.stack_before);
+    for (int i = 0; i < 2 && watches != watched; i++)
+        sigaction(crashes[i], watches ? &action : &state.before[i],
+                  watches ? &state.before[i] : NULL);
+    if (!watches && watched)
         sigaltstack(&state.stack_before, NULL);
-        return;
-    }
     state.words = words;
-    sigaltstack(&own, &state.stack_before);
-    sigaction(SIGSEGV, &action, &state.before);
 }
 
 void platform_watch_lost_page(const char *words)
@@ -61,15 +62,23 @@ void platform_watch_lost_page(const char *words)
     sigaction(SIGBUS, &action, NULL);
 }
 
-void platform_watch_short_memory(const char *words)
+double platform_memory_limit(char *option)
 {
-    struct sigaction action = {.sa_handler = on_short_memory};
-    struct rlimit limit;
-    state.short_memory = words;
-    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
-        return;
-    sigaction(SIGSEGV, &action, NULL);
-    sigaction(SIGABRT, &action, NULL); // without memory, LLVM prints two lines and aborts
+    static const struct {
+        int resource;
+        char option;
+    } kinds[] = {{RLIMIT_AS, 'v'}, {RLIMIT_DATA, 'd'}};
+    double least = HUGE_VAL;
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        struct rlimit limit = state.memory_before;
+        bool known = (kinds[i].resource == RLIMIT_AS && state.limited) ||
+                     getrlimit(kinds[i].resource, &limit) == 0;
+        if (known && limit.rlim_cur != RLIM_INFINITY && (double)limit.rlim_cur < least) {
+            least = (double)limit.rlim_cur;
+            *option = kinds[i].option;
+        }
+    }
+    return least;
 }
 
 void platform_limit_memory(double more)

@@ -2,6 +2,7 @@
 #include "platform/windows.h"
 
 #include <io.h>
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -127,9 +128,10 @@ void platform_watch_lost_page(const char *words)
     SetUnhandledExceptionFilter(on_crash);
 }
 
-void platform_watch_short_memory(const char *words)
+double platform_memory_limit(char *option)
 {
-    (void)words;
+    (void)option;
+    return HUGE_VAL;
 }
 
 void platform_limit_memory(double more)
