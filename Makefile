@@ -237,7 +237,7 @@ $(BUILD)/tests/fuzz: $(patsubst %,$(BUILD)/tests/%.o,tools/fuzz lib/fuzz lib/scr
 $(FIGURES:%=$(BUILD)/docs/figures/%): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/docs/figures/svg.o $(PARTS) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
-$(TEXTURES): $(BUILD)/%: $(BUILD)/%.o $(PAINT) $(EXTRA)
+$(TEXTURES): $(BUILD)/%: $(BUILD)/%.o $(PAINT) $(patsubst %,$(BUILD)/common/%.o,shader/text_file memory report $(PLATFORM)) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
 # The lecture and a browser's module contain all chapters, so each main gets a different name and calls live_run, which

@@ -6,8 +6,10 @@
 
 #include "memory.h"
 #include "number.h"
+#include "report.h"
 
 #define ROUND 10000.0 // numbers are rounded to multiples of 1 / ROUND
+#define MANY  100     // points after which progress is reported
 #define LIMIT 1e9     // largest amount or coordinate; a float this large has no fraction
 
 // ---- Strokes ----
@@ -111,15 +113,28 @@ static bool read_volume(struct sculpture *sculpture, const struct sampler *sampl
     return fits;
 }
 
-// Apply the points that have not been applied yet, and extend the range of changed slices.
+// The number of points that have not been applied yet.
+static int points_left(const struct sculpture *sculpture, const struct strokes *strokes)
+{
+    int count = -sculpture->points;
+    for (int i = sculpture->done; strokes->item != NULL && i < strokes->count; i++)
+        count += strokes->item[i].points;
+    return count;
+}
+
+// Apply the points that have not been applied yet, and extend the range of changed slices. A point
+// takes some milliseconds, so many points need a word of patience.
 static void work(struct sculpture *sculpture, const struct strokes *strokes, int slices[2])
 {
     size_t bytes = bytes_of(sculpture);
+    int count = points_left(sculpture, strokes), done = 0;
     for (; strokes->item != NULL && sculpture->done < strokes->count;
          sculpture->done++, sculpture->points = 0) {
         const struct stroke *stroke = &strokes->item[sculpture->done];
         for (; sculpture->points < stroke->points; sculpture->points++) {
             int i = sculpture->points, changed[2];
+            if (count > MANY && done++ % MANY == 0)
+                report_progress(done - 1, count, "points of strokes");
             if (i == 0)
                 memcpy(sculpture->before, sculpture->now, bytes);
             sculpture->tool->work(sculpture->now, sculpture->before,
@@ -133,6 +148,8 @@ static void work(struct sculpture *sculpture, const struct strokes *strokes, int
         if (sculpture->done == strokes->count - 1) // the last stroke may get more points
             break;
     }
+    if (count > MANY)
+        report_progress(count, count, "points of strokes");
 }
 
 // Upload slices [slices[0], slices[1]) of the texture's first level. Shaders that fetch texels do

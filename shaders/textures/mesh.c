@@ -1,19 +1,10 @@
 #include "mesh.h"
 
 #include <stdbool.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-void *mesh_memory(size_t count, size_t size)
-{
-    void *memory = calloc(count > 0 ? count : 1, size);
-    if (memory == NULL) {
-        fprintf(stderr, "mesh: not enough memory for %zu items\n", count);
-        exit(1);
-    }
-    return memory;
-}
+#include "memory.h"
 
 void mesh_free(struct mesh *mesh)
 {
@@ -65,8 +56,8 @@ static void add_face(struct mesh *mesh, const int cell[3], int axis, int side)
 // positions of the vertices.
 static void place_vertices(struct mesh *mesh, const struct mesh_block *block, int count)
 {
-    double(*sum)[4] = mesh_memory(LATTICE, sizeof *sum);
-    int *name = mesh_memory(LATTICE, sizeof *name);
+    double(*sum)[4] = memory_zeros(LATTICE, sizeof *sum);
+    int *name = memory_zeros(LATTICE, sizeof *name);
     for (int i = 0; i < count; i++)
         for (int k = 0; k < 8; k++) {
             int d[3] = {k & 1, k >> 1 & 1, k >> 2};
@@ -75,7 +66,7 @@ static void place_vertices(struct mesh *mesh, const struct mesh_block *block, in
                 at[a] += block[i].centre[a] + (2 * d[a] - 1) * block[i].half[a];
             at[3] += 1.0;
         }
-    mesh->vertex = mesh_memory(4 * (size_t)mesh->faces, sizeof *mesh->vertex);
+    mesh->vertex = memory_zeros(4 * (size_t)mesh->faces, sizeof *mesh->vertex);
     for (int i = 0; i < mesh->faces; i++)
         for (int k = 0; k < 4; k++) {
             int corner = mesh->face[i][k];
@@ -92,7 +83,7 @@ static void place_vertices(struct mesh *mesh, const struct mesh_block *block, in
 
 struct mesh mesh_of_blocks(const struct mesh_block *block, int count)
 {
-    struct mesh mesh = {.face = mesh_memory(6 * (size_t)count, sizeof *mesh.face)};
+    struct mesh mesh = {.face = memory_zeros(6 * (size_t)count, sizeof *mesh.face)};
     for (int i = 0; i < count; i++)
         for (int axis = 0; axis < 3; axis++)
             for (int side = -1; side <= 1; side += 2) {
@@ -119,10 +110,10 @@ struct edges {
 static struct edges find_edges(const struct mesh *mesh)
 {
     size_t sides = 4 * (size_t)mesh->faces;
-    struct edges edges = {.of = mesh_memory((size_t)mesh->faces, sizeof *edges.of),
-                          .end = mesh_memory(sides, sizeof *edges.end)};
-    int *first = mesh_memory((size_t)mesh->vertices, sizeof *first);
-    int *next = mesh_memory(sides, sizeof *next);
+    struct edges edges = {.of = memory_zeros((size_t)mesh->faces, sizeof *edges.of),
+                          .end = memory_zeros(sides, sizeof *edges.end)};
+    int *first = memory_zeros((size_t)mesh->vertices, sizeof *first);
+    int *next = memory_zeros(sides, sizeof *next);
     for (int i = 0; i < mesh->faces; i++)
         for (int k = 0; k < 4; k++) {
             int a = mesh->face[i][k], b = mesh->face[i][(k + 1) % 4];
@@ -168,7 +159,7 @@ static void place_points(struct mesh *fine, const struct mesh *mesh, const struc
 // Move the vertices, with the formula of mesh_subdivide.
 static void move_vertices(struct mesh *fine, const struct mesh *mesh, const struct edges *edges)
 {
-    int *faces = mesh_memory((size_t)mesh->vertices, sizeof *faces);
+    int *faces = memory_zeros((size_t)mesh->vertices, sizeof *faces);
     for (int i = 0; i < mesh->faces; i++)
         for (int k = 0; k < 4; k++)
             faces[mesh->face[i][k]]++;
@@ -195,8 +186,8 @@ struct mesh mesh_subdivide(const struct mesh *mesh)
     struct edges edges = find_edges(mesh);
     int first_edge = mesh->vertices, first_face = first_edge + edges.count;
     struct mesh fine = {.vertices = first_face + mesh->faces, .faces = 4 * mesh->faces};
-    fine.vertex = mesh_memory((size_t)fine.vertices, sizeof *fine.vertex);
-    fine.face = mesh_memory((size_t)fine.faces, sizeof *fine.face);
+    fine.vertex = memory_zeros((size_t)fine.vertices, sizeof *fine.vertex);
+    fine.face = memory_zeros((size_t)fine.faces, sizeof *fine.face);
     place_points(&fine, mesh, &edges);
     move_vertices(&fine, mesh, &edges);
     for (int i = 0; i < mesh->faces; i++)
@@ -226,8 +217,8 @@ struct triangles mesh_triangles(const struct mesh *mesh)
 {
     struct triangles triangles = {.vertices = mesh->vertices, .count = 2 * mesh->faces};
     size_t bytes = (size_t)mesh->vertices * sizeof *mesh->vertex;
-    triangles.vertex = mesh_memory((size_t)mesh->vertices, sizeof *triangles.vertex);
-    triangles.corner = mesh_memory((size_t)triangles.count, sizeof *triangles.corner);
+    triangles.vertex = memory_zeros((size_t)mesh->vertices, sizeof *triangles.vertex);
+    triangles.corner = memory_zeros((size_t)triangles.count, sizeof *triangles.corner);
     memcpy(triangles.vertex, mesh->vertex, bytes);
     for (int i = 0; i < mesh->faces; i++) {
         const int *face = mesh->face[i];

@@ -4,8 +4,6 @@
 #ifndef MESH_H
 #define MESH_H
 
-#include <stddef.h>
-
 // A block of a cage: a cell of a lattice, which determines its neighbours, and a box in space.
 // Blocks of neighbouring cells share a face; no two blocks may share only an edge or a corner.
 struct mesh_block {
@@ -50,9 +48,5 @@ struct triangles {
 // Cut each face into two triangles, along its shorter diagonal. Free with triangles_free.
 struct triangles mesh_triangles(const struct mesh *mesh);
 void triangles_free(struct triangles *triangles);
-
-// Allocate memory for count zeroed items. If there is not enough, print a message and end the
-// program.
-void *mesh_memory(size_t count, size_t size);
 
 #endif

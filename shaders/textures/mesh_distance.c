@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
+
 // ---- Vectors ----
 
 static void subtract(const double a[3], const double b[3], double result[3])
@@ -130,37 +132,43 @@ static void add_faces(struct mesh_tree *tree, double (*vertex_sum)[3])
     }
 }
 
-// The sides that begin at a vertex form a list: side 3 i + k begins at corner k of triangle i.
+// A side of a triangle: side 3 i + k begins at corner k of triangle i.
+struct side {
+    int low, high; // its vertices, low < high
+    int name;
+};
+
+static int by_vertices(const void *one, const void *other)
+{
+    const struct side *a = one, *b = other;
+    int first = (a->low > b->low) - (a->low < b->low);
+    return first != 0 ? first : (a->high > b->high) - (a->high < b->high);
+}
+
+// Set the normal of each edge to the sum of the normals of its two faces.
 static void add_edges(struct mesh_tree *tree)
 {
-    const struct triangles *triangles = tree->triangles;
-    size_t sides = 3 * (size_t)triangles->count;
-    int *first = mesh_memory((size_t)triangles->vertices, sizeof *first);
-    int *next = mesh_memory(sides, sizeof *next);
-    for (int side = 0; side < 3 * triangles->count; side++) {
-        int from = triangles->corner[side / 3][side % 3];
-        next[side] = first[from];
-        first[from] = side + 1;
+    int count = 3 * tree->triangles->count;
+    struct side *side = memory_zeros((size_t)count, sizeof *side);
+    for (int i = 0; i < count; i++) {
+        const int *corner = tree->triangles->corner[i / 3];
+        int from = corner[i % 3], to = corner[(i + 1) % 3];
+        side[i] = (struct side){from < to ? from : to, from < to ? to : from, i};
     }
-    for (int side = 0; side < 3 * triangles->count; side++) {
-        const int *corner = triangles->corner[side / 3];
-        int from = corner[side % 3], to = corner[(side + 1) % 3], other = first[to];
-        while (other > 0 && triangles->corner[(other - 1) / 3][other % 3] != from)
-            other = next[other - 1];
-        double *normal = tree->normal[side / 3][MESH_EDGE_01 + side % 3];
-        add(normal, tree->normal[side / 3][MESH_FACE], 1.0);
-        if (other > 0)
-            add(normal, tree->normal[(other - 1) / 3][MESH_FACE], 1.0);
-    }
-    free(first);
-    free(next);
+    qsort(side, (size_t)count, sizeof *side, by_vertices);
+    for (int i = 0; i < count; i++)
+        for (int k = -1; k <= 1; k++)
+            if (i + k >= 0 && i + k < count && by_vertices(&side[i], &side[i + k]) == 0)
+                add(tree->normal[side[i].name / 3][MESH_EDGE_01 + side[i].name % 3],
+                    tree->normal[side[i + k].name / 3][MESH_FACE], 1.0);
+    free(side);
 }
 
 static void find_normals(struct mesh_tree *tree)
 {
     const struct triangles *triangles = tree->triangles;
-    double(*vertex_sum)[3] = mesh_memory((size_t)triangles->vertices, sizeof *vertex_sum);
-    tree->normal = mesh_memory((size_t)triangles->count, sizeof *tree->normal);
+    double(*vertex_sum)[3] = memory_zeros((size_t)triangles->vertices, sizeof *vertex_sum);
+    tree->normal = memory_zeros((size_t)triangles->count, sizeof *tree->normal);
     add_faces(tree, vertex_sum);
     add_edges(tree);
     for (int i = 0; i < triangles->count; i++)
@@ -177,37 +185,89 @@ static const double *corner_of(const struct mesh_tree *tree, int triangle, int k
     return tree->triangles->vertex[tree->triangles->corner[triangle][k]];
 }
 
-static double middle_of(const struct mesh_tree *tree, int triangle, int axis)
+// Return the corner of a box's triangles that is farthest from a line, or from a point.
+//   from   a point of the line
+//   along  its direction, of length 1; (0, 0, 0) for a point
+//   way    receives the shortest way to that corner
+static const double *farthest(const struct mesh_tree *tree, const struct mesh_box *box,
+                              const double from[3], const double along[3], double way[3])
 {
-    double sum = 0.0;
-    for (int k = 0; k < 3; k++)
-        sum += corner_of(tree, triangle, k)[axis];
-    return sum / 3.0;
+    const double *far = from;
+    double most = -1.0;
+    for (int i = 0; i < 3 * box->count; i++) {
+        const double *corner = corner_of(tree, tree->order[box->first + i / 3], i % 3);
+        double aside[3];
+        subtract(corner, from, aside);
+        add(aside, along, -dot(aside, along));
+        if (dot(aside, aside) > most) {
+            most = dot(aside, aside);
+            far = corner;
+            memcpy(way, aside, sizeof aside);
+        }
+    }
+    return far;
+}
+
+// Turn a box along its triangles: its first axis joins two corners that are far apart, and its
+// second axis points to the corner that is farthest from the first one. A box along the axes of
+// space would be far too large for a long, thin triangle that lies across them, as in a fan.
+static void turn_box(const struct mesh_tree *tree, struct mesh_box *box)
+{
+    static const double none[3] = {0.0, 0.0, 0.0};
+    const double *any = corner_of(tree, tree->order[box->first], 0);
+    const double *from = farthest(tree, box, any, none, box->axis[0]);
+    farthest(tree, box, from, none, box->axis[0]);
+    normalize(box->axis[0]);
+    farthest(tree, box, from, box->axis[0], box->axis[1]);
+    normalize(box->axis[1]);
+    cross(box->axis[0], box->axis[1], box->axis[2]);
 }
 
 static void fit_box(const struct mesh_tree *tree, struct mesh_box *box)
 {
-    for (int axis = 0; axis < 3; axis++) {
-        box->low[axis] = DBL_MAX;
-        box->high[axis] = -DBL_MAX;
+    turn_box(tree, box);
+    for (int k = 0; k < 3; k++) {
+        box->low[k] = DBL_MAX;
+        box->high[k] = -DBL_MAX;
         for (int i = 0; i < 3 * box->count; i++) {
-            double x = corner_of(tree, tree->order[box->first + i / 3], i % 3)[axis];
-            box->low[axis] = fmin(box->low[axis], x);
-            box->high[axis] = fmax(box->high[axis], x);
+            const double *corner = corner_of(tree, tree->order[box->first + i / 3], i % 3);
+            double x = dot(corner, box->axis[k]);
+            box->low[k] = fmin(box->low[k], x);
+            box->high[k] = fmax(box->high[k], x);
         }
     }
 }
 
-// Sort the triangles of a box into two parts: those whose middles are below the plane that halves
-// the box's longest side, and the others. If all are in one part, the list is halved instead.
-// Returns the number of triangles in the first part.
+// The coordinate of a triangle's middle on an axis.
+static double middle_of(const struct mesh_tree *tree, int triangle, const double axis[3])
+{
+    double sum = 0.0;
+    for (int k = 0; k < 3; k++)
+        sum += dot(corner_of(tree, triangle, k), axis);
+    return sum / 3.0;
+}
+
+// Sort the triangles of a box into two parts, at the plane that halves the longest side of the box
+// around their middles. If all are in one part, because their middles are the same, the list is
+// halved instead. Returns the number of triangles in the first part.
 static int split(const struct mesh_tree *tree, const struct mesh_box *box)
 {
-    int axis = 0, *order = tree->order + box->first, count = 0;
-    for (int i = 1; i < 3; i++)
-        if (box->high[i] - box->low[i] > box->high[axis] - box->low[axis])
-            axis = i;
-    double border = 0.5 * (box->low[axis] + box->high[axis]);
+    int *order = tree->order + box->first, count = 0;
+    const double *axis = box->axis[0];
+    double border = 0.0, longest = -1.0;
+    for (int k = 0; k < 3; k++) {
+        double low = DBL_MAX, high = -DBL_MAX;
+        for (int i = 0; i < box->count; i++) {
+            double x = middle_of(tree, order[i], box->axis[k]);
+            low = fmin(low, x);
+            high = fmax(high, x);
+        }
+        if (high - low > longest) {
+            longest = high - low;
+            axis = box->axis[k];
+            border = 0.5 * (low + high);
+        }
+    }
     for (int i = 0; i < box->count; i++)
         if (middle_of(tree, order[i], axis) < border) {
             int triangle = order[i];
@@ -220,8 +280,8 @@ static int split(const struct mesh_tree *tree, const struct mesh_box *box)
 struct mesh_tree mesh_tree_build(const struct triangles *triangles)
 {
     struct mesh_tree tree = {.triangles = triangles, .boxes = 1};
-    tree.order = mesh_memory((size_t)triangles->count, sizeof *tree.order);
-    tree.box = mesh_memory(2 * (size_t)triangles->count, sizeof *tree.box);
+    tree.order = memory_zeros((size_t)triangles->count, sizeof *tree.order);
+    tree.box = memory_zeros(2 * (size_t)triangles->count, sizeof *tree.box);
     for (int i = 0; i < triangles->count; i++)
         tree.order[i] = i;
     tree.box[0].count = triangles->count;
@@ -259,11 +319,13 @@ struct search {
     int feature;
 };
 
+// The square of the distance to a box, made a little smaller because of rounding.
 static double squared_to_box(const struct mesh_box *box, const double p[3])
 {
     double sum = 0.0;
     for (int i = 0; i < 3; i++) {
-        double outside = fmax(fmax(box->low[i] - p[i], p[i] - box->high[i]), 0.0);
+        double x = dot(p, box->axis[i]);
+        double outside = fmax(fmax(box->low[i] - x, x - box->high[i]) - 1e-12, 0.0);
         sum += outside * outside;
     }
     return sum;

@@ -13,10 +13,11 @@
 
 enum { MESH_LEAF = 4 }; // the largest number of triangles in a leaf
 
-// A box of the tree: its triangles are order[first] to order[first + count - 1]. A leaf has no
+// A box of the tree, turned along its triangles, which begin at order[first]. A leaf has no
 // children; the children of any other box are left and left + 1.
 struct mesh_box {
-    double low[3], high[3];
+    double axis[3][3];      // unit vectors, perpendicular to each other
+    double low[3], high[3]; // the ranges of its points' coordinates on these axes
     int first, count;
     int left; // 0 for a leaf
 };

@@ -5,22 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LINE = 65536 }; // bytes of the buffer for a line
+#include "memory.h"
+
+enum {
+    LINE = 65536,  // bytes of the buffer for a line
+    MOST = 1000000 // triangles
+};
 
 // ---- Reading ----
-
-// Make room for one more item after count items: the capacity doubles whenever count is a power of
-// two.
-static void *room(void *items, int count, size_t size)
-{
-    if ((count & (count - 1)) != 0)
-        return items;
-    void *larger = mesh_memory(count > 0 ? 2 * (size_t)count : 1, size);
-    if (count > 0)
-        memcpy(larger, items, (size_t)count * size);
-    free(items);
-    return larger;
-}
 
 static bool add_vertex(struct triangles *to, const char *c)
 {
@@ -32,7 +24,7 @@ static bool add_vertex(struct triangles *to, const char *c)
             return false;
         c = end;
     }
-    to->vertex = room(to->vertex, to->vertices, sizeof *to->vertex);
+    to->vertex = memory_row(to->vertex, to->vertices, sizeof *to->vertex);
     memcpy(to->vertex[to->vertices++], p, sizeof p);
     return true;
 }
@@ -50,7 +42,7 @@ static bool add_face(struct triangles *to, const char *c)
         fan[corners < 2 ? corners : 2] = (int)index;
         if (++corners < 3)
             continue;
-        to->corner = room(to->corner, to->count, sizeof *to->corner);
+        to->corner = memory_row(to->corner, to->count, sizeof *to->corner);
         memcpy(to->corner[to->count++], fan, sizeof fan);
         fan[1] = fan[2];
     }
@@ -75,7 +67,7 @@ static int by_vertices(const void *one, const void *other)
 static bool is_closed(const struct triangles *mesh)
 {
     int count = 3 * mesh->count;
-    struct edge *edge = mesh_memory((size_t)count, sizeof *edge);
+    struct edge *edge = memory_zeros((size_t)count, sizeof *edge);
     for (int i = 0; i < count; i++) {
         int from = mesh->corner[i / 3][i % 3], to = mesh->corner[i / 3][(i + 1) % 3];
         edge[i] = (struct edge){from < to ? from : to, from < to ? to : from, from < to ? 1 : -1};
@@ -101,19 +93,27 @@ static bool has_area(const double a[3], const double b[3], const double c[3])
     return ab * ac - both * both > 1e-14 * ab * ac;
 }
 
+// Return what follows the letter with which a line begins, or NULL if the line begins otherwise.
+static const char *behind(const char *line, char letter)
+{
+    line += strspn(line, " \t");
+    return line[0] == letter && (line[1] == ' ' || line[1] == '\t') ? line + 2 : NULL;
+}
+
 const char *mesh_read_obj(FILE *file, struct triangles *triangles)
 {
     static char line[LINE];
     *triangles = (struct triangles){0};
     while (fgets(line, sizeof line, file) != NULL) {
-        if (strlen(line) + 1 == sizeof line)
-            return "a line is longer than 64 kB";
-        if (strncmp(line, "v ", 2) == 0 && !add_vertex(triangles, line + 2))
+        const char *vertex = behind(line, 'v'), *face = behind(line, 'f');
+        if (strpbrk(line, "\r\n") == NULL && feof(file) == 0)
+            return "a line contains a zero byte or is longer than 64 kB: is this an OBJ file?";
+        if (vertex != NULL && !add_vertex(triangles, vertex))
             return "a vertex needs three numbers from -1e9 to 1e9";
-        if (strncmp(line, "f ", 2) == 0 && !add_face(triangles, line + 2))
+        if (face != NULL && !add_face(triangles, face))
             return "a face needs at least three indices of vertices that precede it";
-        if (triangles->count > 1000000)
-            return "the mesh has more than a million triangles";
+        if (triangles->count > MOST || triangles->vertices > 3 * MOST)
+            return "the mesh has more than a million triangles or three million vertices";
     }
     if (ferror(file) != 0)
         return "the file cannot be read";

@@ -7,9 +7,10 @@
 
 #include "mesh.h"
 
-// Read the vertices and the faces of an OBJ file, from the lines that begin with v and f. All other
-// lines are ignored. A face with more than three corners becomes a fan of triangles around its
-// first corner. An index is counted from 1, or backwards from the last vertex if it is negative.
+// Read the vertices and the faces of an OBJ file, from the lines that begin with v and f, perhaps
+// after blanks. All other lines are ignored. A face with more than three corners becomes a fan of
+// triangles around its first corner. An index is counted from 1, or backwards from the last vertex
+// if it is negative.
 //   triangles  receives the mesh; free it with triangles_free, even after an error
 // Returns NULL if every triangle has an area and every edge belongs to two triangles, which
 // traverse it in opposite directions, as mesh_tree_build requires. Otherwise returns one phrase

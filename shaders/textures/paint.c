@@ -8,6 +8,8 @@
 
 #include <png.h>
 
+#include "report.h"
+
 // ---- Chance ----
 
 // A bijection of the 32-bit numbers that spreads every bit over all bits (Wellons, "Prospecting for
@@ -239,16 +241,27 @@ static void draw_row(const struct picture *picture, int y, unsigned char *row)
     }
 }
 
+static bool refuse(const char *why)
+{
+    return report("standard output: the picture cannot be written: %s", why);
+}
+
+// An error handler must not return to libpng, so this one jumps to the call of setjmp.
+static void on_png_error(png_structp png, png_const_charp why)
+{
+    refuse(why);
+    png_longjmp(png, 1);
+}
+
 int paint_texture(int width, int height, int samples, enum paint_kind kind,
                   void (*at)(double u, double v, double *value))
 {
     const int colours[] = {
         [1] = PNG_COLOR_TYPE_GRAY, [3] = PNG_COLOR_TYPE_RGB, [4] = PNG_COLOR_TYPE_RGB_ALPHA};
     const struct picture picture = {width, height, samples, kind, at};
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, on_png_error, NULL);
     png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
     unsigned char *row = malloc(4 * (size_t)width);
-    // libpng has already reported its errors.
     if (info == NULL || row == NULL || setjmp(png_jmpbuf(png)) != 0) {
         free(row);
         png_destroy_write_struct(&png, &info);
@@ -268,5 +281,6 @@ int paint_texture(int width, int height, int samples, enum paint_kind kind,
     png_write_end(png, NULL);
     free(row);
     png_destroy_write_struct(&png, &info);
-    return fflush(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    bool done = fflush(stdout) == 0 || refuse("is the disk full?");
+    return done ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,11 +1,11 @@
 // reef.c - the parts of a reef and the lists of its cells, as a table of bytes. Declare the table
 // as linear and clamp, and read it with texelFetch; chapters/reef.glsl explains the bytes.
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "paint.h"
 #include "reef_parts.h"
+#include "report.h"
 
 enum { WIDTH = 512, TEXELS = WIDTH * 2048, SIZES = 3, HEADER = 8, BYTES = 4 };
 
@@ -95,9 +95,8 @@ int main(void)
     static const int count[SIZES] = {64, 512, 4096};
     for (int i = 0; i < SIZES; i++)
         if (!put_reef(i, count[i])) {
-            fprintf(stderr,
-                    "reef: not enough space in the table or not enough memory for %d parts\n",
-                    count[i]);
+            report("reef: not enough space in the table or not enough memory for %d parts",
+                   count[i]);
             return EXIT_FAILURE;
         }
     rows = (used + WIDTH - 1) / WIDTH;

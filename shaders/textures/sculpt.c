@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "elephant.h"
+#include "memory.h"
 #include "sweep.h"
 
 enum { SIDE = ELEPHANT_SIDE };
@@ -154,8 +155,8 @@ void sculpt_piece(unsigned char *grid, const unsigned char *before, const double
     if (!find_box(from, to, fabs(radius), box.low, box.size))
         return;
     size_t count = (size_t)box.size[0] * (size_t)box.size[1] * (size_t)box.size[2];
-    box.value = mesh_memory(count, sizeof *box.value);
-    box.keep = mesh_memory(count, sizeof *box.keep);
+    box.value = memory_zeros(count, sizeof *box.value);
+    box.keep = memory_zeros(count, sizeof *box.keep);
     blend(&box, grid, before, from, to, radius);
     sweep_distances(box.value, box.keep, box.size, cell);
     store(&box, grid);

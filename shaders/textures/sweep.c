@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-#include "mesh.h"
+#include "memory.h"
 
 // The points of a grid, with one extra layer around them. The distances in the layer are infinite.
 struct grid {
@@ -111,9 +111,9 @@ static void open_grid(struct grid *grid, const double *value, const bool *keep, 
                       double cell)
 {
     ptrdiff_t row = size[0] + 2, slice = row * (size[1] + 2), count = slice * (size[2] + 2);
-    *grid = (struct grid){.value = mesh_memory((size_t)count, sizeof(double)),
-                          .distance = mesh_memory((size_t)count, sizeof(double)),
-                          .fixed = mesh_memory((size_t)count, sizeof(bool)),
+    *grid = (struct grid){.value = memory_zeros((size_t)count, sizeof(double)),
+                          .distance = memory_zeros((size_t)count, sizeof(double)),
+                          .fixed = memory_zeros((size_t)count, sizeof(bool)),
                           .size = {size[0], size[1], size[2]},
                           .stride = {1, row, slice},
                           .cell = cell,

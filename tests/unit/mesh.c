@@ -10,6 +10,7 @@
 #include "textures/paint.h"
 #include "textures/sweep.h"
 #include "lib/mirror.h"
+#include "memory.h"
 #include "lib/system.h"
 
 enum { POINTS = 10000 };
@@ -113,7 +114,7 @@ TEST(the_mesh_is_closed)
 {
     for (int steps = 0; steps < 3; steps++) {
         struct triangles t = elephant_mesh(steps);
-        int *next = mesh_memory((size_t)t.vertices * 16, sizeof *next);
+        int *next = memory_zeros((size_t)t.vertices * 16, sizeof *next);
         for (int i = 0; i < 3 * t.count; i++) {
             int from = t.corner[i / 3][i % 3], to = t.corner[i / 3][(i + 1) % 3], k = 0;
             while (next[16 * from + k] != 0)
@@ -146,6 +147,52 @@ TEST(two_bytes_store_a_distance)
         double read = (2.0 * (256.0 * byte[0] + byte[1]) / 65535.0 - 1.0) * ELEPHANT_RANGE;
         assert_true(fabs(read - kept) <= ELEPHANT_RANGE / 65535.0 + 1e-12);
     }
+}
+
+// The square of the distance to a box of the tree.
+static double squared_to(const struct mesh_box *box, struct d3 p)
+{
+    double sum = 0.0;
+    for (int k = 0; k < 3; k++) {
+        const double *axis = box->axis[k];
+        double x = d3_dot(p, d3(axis[0], axis[1], axis[2]));
+        double outside = fmax(fmax(box->low[k] - x, x - box->high[k]), 0.0);
+        sum += outside * outside;
+    }
+    return sum;
+}
+
+// Two cones of 500 long, thin triangles each, which share their base. Few of the tree's boxes may
+// be nearer than the surface, or a search would try them all.
+TEST(a_fan_is_searched_fast)
+{
+    enum { RIM = 500 };
+    static double vertex[RIM + 2][3] = {{0.1, 0.9, 0.2}, {-0.2, -0.8, 0.1}};
+    static int corner[2 * RIM][3];
+    for (int i = 0; i < RIM; i++) {
+        double angle = 2.0 * MIRROR_PI * i / RIM;
+        vertex[i + 2][0] = 0.8 * cos(angle);
+        vertex[i + 2][1] = 0.3 * sin(angle);
+        vertex[i + 2][2] = 0.8 * sin(angle);
+        int here = i + 2, next = (i + 1) % RIM + 2;
+        memcpy(corner[2 * i], (const int[3]){0, next, here}, sizeof corner[0]);
+        memcpy(corner[2 * i + 1], (const int[3]){1, here, next}, sizeof corner[0]);
+    }
+    const struct triangles t = {vertex, RIM + 2, corner, 2 * RIM};
+    struct mesh_tree tree = mesh_tree_build(&t);
+    double nearer = 0.0;
+    for (int i = 0; i < POINTS / 10; i++) {
+        struct d3 p = d3(random_in(-1, 1, i, 50), random_in(-1, 1, i, 51), random_in(-1, 1, i, 52));
+        double d = mesh_distance(&tree, (const double[3]){p.x, p.y, p.z});
+        assert_true(fabs(d - true_distance(&t, p)) < 1e-12);
+        for (int k = 0; k < tree.boxes; k++)
+            nearer += squared_to(&tree.box[k], p) < d * d - 1e-9;
+    }
+    nearer /= POINTS / 10;
+    print_message("# of %d boxes, %.1f are nearer than the surface on average\n", tree.boxes,
+                  nearer);
+    assert_true(nearer < 100.0);
+    mesh_tree_free(&tree);
 }
 
 // ---- Normals ----
@@ -207,7 +254,7 @@ TEST(a_sharp_corner_has_the_right_sign)
 // sweeping, and return the largest error in cells.
 static double swept_error(int side)
 {
-    double *value = mesh_memory((size_t)side * (size_t)side * (size_t)side, sizeof *value);
+    double *value = memory_zeros((size_t)side * (size_t)side * (size_t)side, sizeof *value);
     double cell = 2.0 / (side - 1), worst = 0.0;
     for (int pass = 0; pass < 2; pass++) {
         for (int i = 0; i < side * side * side; i++) {
@@ -261,6 +308,10 @@ static const char *read_text(const char *text, struct triangles *triangles)
     return why;
 }
 
+// The same mesh with tabs, and with lines that begin with blanks.
+static const char indented[] = "\tv\t1\t1\t1\n  v 1 -1 -1\n v -1 1 -1\n\t v -1 -1 1\r\n"
+                               "  f\t1\t2\t3\nf  1 3 4\n\tf 1 4 2\n f\t2 4 3";
+
 static const char tetrahedron[] = "# a comment\nv 1 1 1\nv 1 -1 -1\nv -1 1 -1 1.0\r\nv -1 -1 1\n"
                                   "vn 0 0 1\nf 1/1/1 2//1 3\nf 1 3 4\nf -4 -1 -3\nf 2 4 3\n";
 
@@ -305,7 +356,7 @@ TEST(a_mesh_fits_into_its_box)
     static const double low[3] = {-0.5, -0.4, -0.5}, high[3] = {0.5, 0.8, 0.5};
     for (int flip = 0; flip < 2; flip++) {
         struct triangles t;
-        assert_null(read_text(tetrahedron, &t));
+        assert_null(read_text(flip == 0 ? tetrahedron : indented, &t));
         assert_int_equal(t.count, 4);
         for (int i = 0; flip == 1 && i < t.count; i++) {
             int *corner = t.corner[i], first = corner[0];
@@ -329,6 +380,8 @@ TEST(files_that_are_not_meshes_are_refused)
 {
     static const char *const refused[][2] = {
         {"", "no faces"},
+        {"v1 2 3\nface\nvt\t1 2\n", "no faces"},
+        {"v\t1 2\n", "three numbers"},
         {"v 1 2\n", "three numbers"},
         {"v 1 2 nan\n", "three numbers"},
         {"v 1 2 3\nf 1 1\n", "three indices"},
@@ -345,6 +398,22 @@ TEST(files_that_are_not_meshes_are_refused)
         const char *why = read_text(refused[i][0], &t);
         assert_non_null(why);
         assert_non_null(why != NULL ? strstr(why, refused[i][1]) : NULL);
+        triangles_free(&t);
+    }
+}
+
+// A line that never ends, or that only contains zero bytes, may be as long as a disk.
+TEST(a_line_without_an_end_is_refused)
+{
+    for (int byte = 0; byte <= 'x'; byte += 'x') {
+        struct triangles t;
+        FILE *file = system_open_scratch();
+        for (int i = 0; i < 200000; i++)
+            fputc(byte, file);
+        rewind(file);
+        const char *why = mesh_read_obj(file, &t);
+        assert_non_null(why != NULL ? strstr(why, "zero byte or is longer") : NULL);
+        fclose(file);
         triangles_free(&t);
     }
 }

@@ -3,7 +3,7 @@
 #include "lib/test.h"
 
 #include "textures/elephant.h"
-#include "textures/mesh.h"
+#include "memory.h"
 #include "textures/paint.h"
 #include "textures/sculpt.h"
 
@@ -31,7 +31,7 @@ static double stored(const unsigned char *grid, int i)
 // Make the grid of a ball around the centre. The caller frees the grid.
 static unsigned char *ball(void)
 {
-    unsigned char *grid = mesh_memory(BYTES, 1);
+    unsigned char *grid = memory_zeros(BYTES, 1);
     for (int i = 0; i < POINTS; i++) {
         double p[3];
         point_of(i, p);
@@ -54,7 +54,7 @@ static double to_roll(const double p[3], double radius)
 //   radius  of the roll of clay; negative to take clay away
 static void work(unsigned char *grid, int pieces, double radius)
 {
-    unsigned char *before = mesh_memory(BYTES, 1);
+    unsigned char *before = memory_zeros(BYTES, 1);
     memcpy(before, grid, BYTES);
     for (int i = 0; i < pieces; i++) {
         const double a[3] = {0.0, 0.48, 0.14 - 0.28 * i / pieces};
