@@ -407,7 +407,7 @@ test-all: ## run every test before a release; takes an hour or two
 	ALL=1 $(MAKE) --no-print-directory CI=1 test
 	ALL=1 $(MAKE) --no-print-directory CI=1 test-windows
 	ALL=1 $(MAKE) --no-print-directory CI=1 test-web
-	ALL=1 $(MAKE) --no-print-directory CI=1 test-fresh
+	ALL=1 SID=1 $(MAKE) --no-print-directory CI=1 test-fresh
 	$(MAKE) --no-print-directory mutants
 
 test-fresh: ## try `make run` and `make test` on fresh, bare Debian systems, as root and as a user; needs root

@@ -18,7 +18,7 @@
 # with this script, and the mounts with them.
 #
 # Environment: TRIES, a list of RELEASE:root, RELEASE:reader and RELEASE:cloud, by default the first two on Debian 12
-# and 13, and with ALL=1 the third on Debian 13; SID=1, to add the first two on sid, whose failures are reported but do
+# and 13, and with ALL=1 the third on Debian 13; SID=1, to add the first two on sid, whose failures are printed but do
 # not count; MIRROR, Debian's mirror, by default the one that this machine's apt uses; XDG_CACHE_HOME, the folder for
 # the archives, by default ~/.cache.
 set -u
@@ -34,7 +34,7 @@ for try in $tries; do
 done
 archives=${XDG_CACHE_HOME:-$HOME/.cache}/ray-marching/fresh
 logs=$PWD/build/fresh
-limit=1800 # seconds for a command, in case it never ends
+limit=7200 # seconds for a command, in case it never ends
 
 if [ "$(id -u)" != 0 ]; then
     echo 'make test-fresh: only root can make bare machines with debootstrap: sudo make test-fresh' >&2
@@ -183,7 +183,8 @@ verdict() { # STATUS RELEASE WHO WHAT TEXT
         failed=$((failed + 1))
     fi
     printf '%-10s %-7s %-28s %s, %s\n' "$2" "$3" "$4" "$word" "$5"
-    [ "$1" = 0 ] || tail -n 25 "$log" | sed 's/^/    /'
+    # tests/run names the tests that failed; the end of any other output is shown.
+    [ "$1" = 0 ] || { grep '^FAILED: ' "$log" || tail -n 25 "$log"; } | sed 's/^/    /'
     return "$1"
 }
 
