@@ -64,8 +64,8 @@ check() {
     fi
 }
 
-# within_kib KIB COMMAND...: runs a command that can write no file beyond this many KiB, as if the disk were full. SIGXFSZ
-# is ignored, because it would end the program before the program prints its message.
+# within_kib KIB COMMAND...: runs a command that can write no file beyond this many KiB, as if the disk were full.
+# SIGXFSZ is ignored, because it would end the program before the program prints its message.
 within_kib() {
     (trap '' XFSZ && ulimit -f "$1" && shift && exec "$@")
 }

@@ -8,9 +8,9 @@ program='' window='' manager='' shots=0 picture='' stem=''
 
 # ---- Tools ----
 
-# eventually COMMAND...: waits until the command succeeds. After 1200 tries, which take at least a minute and longer on a
-# slow or busy machine, the function gives up, saves a screenshot next to the suite's output and makes every later wait
-# fail at once; the check that contains the wait, or the next check, ends the suite.
+# eventually COMMAND...: waits until the command succeeds. After 1200 tries, which take at least a minute and longer on
+# a slow or busy machine, the function gives up, saves a screenshot next to the suite's output and makes every later
+# wait fail at once; the check that contains the wait, or the next check, ends the suite.
 gave_up=''
 eventually() {
     local tries=1200
