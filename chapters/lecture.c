@@ -47,5 +47,5 @@ int main(int argc, char **argv)
         !window_run(lecture_window(lecture), lecture_follow, lecture))
         status = RUN_NOT_DONE;
     lecture_close(lecture);
-    return run_end(status);
+    return run_end(status, !prints);
 }

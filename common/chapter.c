@@ -196,10 +196,11 @@ int chapter_run(const struct chapter *chapter, int argc, char **argv)
 {
     struct run *run;
     int status = chapter_open(&run, chapter, argc, argv);
-    if (run->window != NULL && !window_run(run->window, NULL, NULL))
+    bool window = run->window != NULL;
+    if (window && !window_run(run->window, NULL, NULL))
         status = RUN_NOT_DONE;
     chapter_close(run);
-    return run_end(status);
+    return run_end(status, window);
 }
 
 void chapter_visit_files(const struct chapter *chapter, int argc, char **argv,

@@ -68,6 +68,9 @@ bool platform_close_text(FILE *stream);
 // the program first.
 bool platform_reader_left(void);
 
+// From now on, a write to a pipe whose reader has exited fails, instead of ending the program.
+void platform_outlive_reader(void);
+
 // Return the meaning of an errno in the words of this system, as strerror does.
 const char *platform_why(int error);
 
@@ -103,6 +106,12 @@ enum platform_display {
 };
 
 enum platform_display platform_display(void);
+
+// From now on, if an X server refuses a request or goes away, call a function that ends the
+// program. Otherwise, Xlib would print lines of its own. Call this after a window has been opened
+// on PLATFORM_X11. Elsewhere, it does nothing.
+//   lost  receives what happened, as the end of a sentence whose subject is the display
+void platform_watch_display(void (*lost)(const char *what));
 
 // ---- Crashes and memory ----
 

@@ -2,16 +2,6 @@
 // crashes, the page receives the event webglcontextlost.
 #include "context/guard.h"
 
-#include <math.h>
-
-#include "platform.h"
-
-double platform_memory_limit(char *option)
-{
-    (void)option;
-    return HUGE_VAL;
-}
-
 void guard_process(void)
 {
 }

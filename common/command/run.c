@@ -244,14 +244,15 @@ bool run_check_targets(const struct run *run)
     return true;
 }
 
-int run_end(int status)
+int run_end(int status, bool window)
 {
     errno = 0;
     if (fflush(stdout) == 0 && !ferror(stdout))
         return status;
-    if (errno == EBADF)
+    bool closed = errno == EBADF, left = !closed && platform_reader_left();
+    if (closed)
         report("standard output: is closed: leave out >&-");
-    else if (!platform_reader_left()) // a reader that has closed the pipe needs no message
+    else if (!left) // a reader that has closed the pipe needs no message
         report("standard output: cannot be written: is the disk full?");
-    return RUN_NOT_DONE;
+    return left && window ? status : RUN_NOT_DONE;
 }

@@ -72,7 +72,8 @@ bool run_check_targets(const struct run *run);
 
 // Return the exit status of the program: status, or RUN_NOT_DONE if standard output could not be
 // written. The error is reported, unless standard output is a pipe that its reader has closed.
-int run_end(int status);
+//   window  the program showed a window, whose status does not depend on the reader of a pipe
+int run_end(int status, bool window);
 
 // ---- Without a window (run_still.c) ----
 

@@ -6,6 +6,7 @@
 
 #include "context/guard.h"
 #include "memory.h"
+#include "platform.h"
 #include "report.h"
 
 // The built-in drivers in the order in which CONTEXT_ANY tries them for rendering without a window.
@@ -154,6 +155,7 @@ bool context_open_window(struct context *context, enum context_backend wanted, c
         return false;
     }
     char why[CONTEXT_WHY] = "";
+    platform_outlive_reader(); // a window shows more than it prints
     guard_driver((*driver)->name);
     void *state = (*driver)->open_window(title, width, height, why);
     bool taken = state != NULL && take(context, *driver, state, why);

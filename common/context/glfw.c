@@ -1,11 +1,13 @@
 #include "context/context.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include "platform.h"
+#include "report.h"
 
 #define HIDDEN_SIZE 16 // pixels; pictures are drawn into off-screen targets
 
@@ -38,6 +40,14 @@ static bool initialise(bool visible, char why[CONTEXT_WHY])
     return false;
 }
 
+// End the program. exit() would close the window, which needs the display.
+static void end(const char *what)
+{
+    report("window: the display %s: start the program again", what);
+    fflush(stdout);
+    _Exit(EXIT_FAILURE);
+}
+
 static GLFWwindow *open_window(bool visible, const char *title, int width, int height,
                                char why[CONTEXT_WHY])
 {
@@ -57,8 +67,10 @@ static GLFWwindow *open_window(bool visible, const char *title, int width, int h
     GLFWwindow *window = glfwCreateWindow(width, height, title, NULL, NULL);
     if (window != NULL) {
         glfwMakeContextCurrent(window);
-        if (glfwGetCurrentContext() == window)
+        if (glfwGetCurrentContext() == window) {
+            platform_watch_display(end);
             return window;
+        }
     }
     last_error(why, window == NULL ? "glfwCreateWindow" : "glfwMakeContextCurrent");
     glfwTerminate();

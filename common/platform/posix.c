@@ -219,6 +219,11 @@ bool platform_reader_left(void)
     return write(STDOUT_FILENO, "\n", 1) < 0 && errno == EPIPE;
 }
 
+void platform_outlive_reader(void)
+{
+    signal(SIGPIPE, SIG_IGN);
+}
+
 const char *platform_why(int error)
 {
     return strerror(error);

@@ -51,6 +51,15 @@ bool platform_reader_left(void)
     return said == ERROR_NO_DATA || said == ERROR_BROKEN_PIPE || said == ERROR_PIPE_NOT_CONNECTED;
 }
 
+void platform_outlive_reader(void)
+{
+}
+
+void platform_watch_display(void (*lost)(const char *what))
+{
+    (void)lost;
+}
+
 bool platform_is_terminal(FILE *stream)
 {
     DWORD mode;

@@ -130,5 +130,36 @@ hidden_window() {
 }
 check 'textures look the same, bit for bit, with a hidden window and without a window' hidden_window
 
+# ---- The terminal and the display ----
+
+# Start the program with a pipe as its standard output whose reader has exited. It prints its first line at once.
+left() {
+    rm -f "$scratch/pipe" && mkfifo "$scratch/pipe" && rm -rf "$scratch/run" && mkdir "$scratch/run" && keep_managed || return
+    # shellcheck disable=SC2094,SC2086 # both ends are opened, so that neither waits for the other; the options are words
+    (exec 5<>"$scratch/pipe" 6>"$scratch/pipe" 5>&- && exec "$BUILD/$chapter" $still -f "$mine" >&6 2>"$scratch/run/err" 6>&-) &
+    program=$!
+    eventually find_window && shows ' - picture - ' && eventually focus && key 2 && shows ' - normals - '
+}
+check 'a window outlives the reader of its standard output' left
+check 'its status is 0, and it reports nothing' eval 'backspace && [ ! -s "$scratch/run/err" ]'
+
+# fails PATTERN: the program ends with status 1 and one line that matches the pattern.
+fails() {
+    eventually ended || return
+    wait "$program"
+    [ $? = 1 ] && [ "$(grep -c '' "$scratch/run/err")" = 1 ] && grep -q -e "$1" "$scratch/run/err" || {
+        sed 's/^/# /' "$scratch/run/err"
+        return 1
+    }
+}
+# shellcheck disable=SC2086 # the options are words
+start $chapter $still
+destroyed() { xdotool windowclose "$window" && fails '^window: the display refused request .*Bad'; }
+check 'a window that another program has destroyed ends with one line' destroyed
+# shellcheck disable=SC2086 # the options are words
+start $chapter $still
+vanished() { kill "$display_server" && wait "$display_server"; fails '^window: the display has gone away'; }
+check 'a display that goes away ends the program with one line' vanished
+
 close_window
 plan
