@@ -36,7 +36,7 @@ class LiveChapter extends HTMLElement {
         const poster = this.querySelector('img');
         this.button = part('button', {type: 'button', className: 'live-start', textContent: this.hasHands ? 'Drag the points' : this.isInPlace ? '▶' : '▶ Run'});
         if (!this.hasHands) this.button.setAttribute('aria-label', this.isInPlace ? `Run this picture: ${poster.alt}` : `Run the program of chapter ${this.stem.slice(0, 2)}`);
-        this.button.addEventListener('click', () => this.run());
+        this.button.addEventListener('click', () => { if (!this.hasAttribute('aria-busy')) this.run(); }); // a disabled button would lose the focus
         this.screen = part('div', {className: 'live-screen'}, ...(poster ? [poster] : []), this.button);
         if (this.isInPlace) poster.addEventListener('click', () => this.run());
         // On a touch screen, creating a graphics context while a finger goes down would turn the tap into a long press.
@@ -78,7 +78,6 @@ class LiveChapter extends HTMLElement {
             this.say('This browser has no WebGL 2, so no program can run here; all text and pictures are shown.');
             return 1;
         }
-        this.button.disabled = true;
         this.setAttribute('aria-busy', 'true');
         try {
             this.stage = await this.expect(line);
@@ -88,7 +87,6 @@ class LiveChapter extends HTMLElement {
             this.say(`The program cannot be loaded: ${error.message}`);
             return 1;
         } finally {
-            this.button.disabled = false;
             this.removeAttribute('aria-busy');
         }
     }

@@ -96,7 +96,7 @@ export class Stage {
         this.bar.setAttribute('aria-label', 'The program');
         this.error = part('pre', {className: 'live-error', hidden: true});
         this.error.setAttribute('role', 'alert');
-        this.controls = part('div', {className: 'live-controls'}, this.pad, this.bar, this.changes.element, this.changes.line, this.changes.other, this.error, this.values.element, this.ray.element, this.status);
+        this.controls = part('div', {className: 'live-controls', hidden: true}, this.pad, this.bar, this.changes.element, this.changes.line, this.changes.other, this.error, this.values.element, this.ray.element, this.status);
     }
 
     // A button that acts as a key for as long as it is held down.
@@ -221,18 +221,22 @@ export class Stage {
     leave() {
         const {at} = this;
         if (!at) return;
+        const focused = [this.canvas, this.controls, this.notice].some((one) => one.contains(document.activeElement));
         this.program?.stop();
         at.classList.remove('live-on', 'live-window', 'live-drawn', 'live-waits', 'live-editing', 'live-wide');
         this.controls.remove();
         for (const made of [this.canvas, this.notice]) made.remove();
         this.at = null;
+        if (focused) (at.opener ?? at.button).focus({preventScroll: true});
         if (at.opener && !at.result?.isConnected) at.remove();
     }
 
     // Show the result of a start.
     tell(at, status) {
         const runs = this.program.call('live_runs') === 1;
+        const keyed = document.activeElement === at.button; // a key has pressed the button, which the picture replaces
         at.classList.toggle('live-window', runs);
+        if (runs && keyed) this.canvas.focus({preventScroll: true});
         this.controls.hidden = !runs;
         const [width, height] = runs && this.asked || [16, 9];
         at.style.setProperty('--ratio', width / height);
@@ -261,6 +265,7 @@ export class Stage {
     drew() {
         if (this.shown?.step) this.call('live_step', Number(this.shown.step));
         this.at?.classList.add('live-drawn');
+        if (document.activeElement === this.canvas) this.takeHandle();
     }
 
     // The printed and drawn results of a command line, which stay where they were requested.
@@ -327,6 +332,7 @@ export class Stage {
     }
 
     note(text, ...more) {
+        if (this.notice.contains(document.activeElement)) this.canvas.focus({preventScroll: true});
         this.notice.replaceChildren(text, ...more);
         this.notice.hidden = text === '';
     }

@@ -89,6 +89,19 @@ await page.waitForFunction(() => document.querySelector('.cm-content').textConte
 check('the reader can take the text of the other tab', await page.getByText('Another tab has changed').isHidden());
 await both.close();
 
+// ---- The focus of a reader who uses the keyboard ----
+
+({page, said} = await open('03_shadows.html'));
+const focus = () => page.evaluate(() => document.activeElement.className);
+await page.locator('.live-start').first().focus();
+await page.keyboard.press('Enter');
+await runs(page);
+check('Enter on the button of a picture gives the focus to the program', await focus() === 'live-canvas', await focus());
+await page.keyboard.press('Backspace');
+await page.waitForSelector('.live-window', {state: 'detached'});
+check('when the program ends, its button has the focus again', await focus() === 'live-start', await focus());
+await page.close();
+
 // ---- A page that is left while the reader types ----
 
 ({page, said} = await open('00_first_scene.html'));

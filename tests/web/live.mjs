@@ -175,6 +175,7 @@ await page.close();
 await page.goto(`${server.at}/03_shadows.html`);
 await page.locator('.live-start').first().tap();
 await page.waitForSelector('.live-waits');
+check('while the first program compiles, it has no controls to press', await page.locator('.live-controls').isHidden());
 await page.evaluate(() => { window.compiled = true; });
 await until(page, (s) => s.rate > 0);
 await page.getByRole('button', {name: 'Edit', exact: true}).tap();
