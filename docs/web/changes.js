@@ -15,6 +15,8 @@ export class Changes {
         this.line = part('p', {className: 'live-changes', hidden: true}, this.said, ' ', stage.button('Undo all', () => this.undo(this.named)));
         this.other = part('p', {className: 'live-other', hidden: true});
         this.other.setAttribute('role', 'status');
+        this.replaced = part('p', {className: 'live-replaced', hidden: true});
+        this.replaced.setAttribute('role', 'status');
         this.place = part('div');
         this.saved = part('span', {className: 'live-saved'});
         this.saved.setAttribute('role', 'status');
@@ -90,15 +92,14 @@ export class Changes {
         const take = async (names) => {
             for (const name of names) {
                 const text = all[name] ?? await this.original(name);
-                if (text !== null) await this.change(name, text);
-                this.editor?.renew(name);
+                if (text !== null) await this.put(name, text);
             }
         };
         const asked = differ.filter((name) => shown.includes(PREFIX + name));
         await take(differ.filter((name) => !asked.includes(name)));
         this.other.hidden = asked.length === 0;
         this.other.replaceChildren(`Another tab has changed ${asked.join(', ')}. If you go on typing here, its text is lost. `,
-            this.stage.button('Take the other text', async () => { await take(asked); this.other.hidden = true; }));
+            this.stage.button('Take the other text', async () => { await this.replace(asked, take); this.other.hidden = true; }));
     }
 
     write() {
@@ -134,17 +135,41 @@ export class Changes {
         this.tell();
     }
 
+    // Give a file a text that the reader did not type.
+    async put(name, text) {
+        this.editor?.put(name, text);
+        if (this.editor?.name !== name) await this.change(name, text);
+    }
+
     async undo(names) {
-        for (const name of names) {
-            const text = await this.original(name);
-            if (text === null) continue;
-            if (this.editor?.name === name) this.editor.put(name, text);
-            else {
-                this.editor?.put(name, text);
-                await this.change(name, text);
+        await this.replace(names, async () => {
+            for (const name of names) {
+                const text = await this.original(name);
+                if (text !== null) await this.put(name, text);
             }
-        }
+        });
         edits.show('');
+    }
+
+    // Carry out a press that replaces the reader's texts of files, and offer to restore them.
+    async replace(names, act) {
+        await this.editor?.flush();
+        const texts = Object.fromEntries(names.filter((name) => this.files[name] !== undefined).map((name) => [name, this.files[name]]));
+        const focused = [this.line, this.other].some((one) => one.contains(document.activeElement));
+        await act(names);
+        this.offer(texts);
+        if (focused) this.replaced.querySelector('button')?.focus({preventScroll: true});
+    }
+
+    // Offer to restore texts, until the reader goes on typing.
+    offer(texts) {
+        const names = Object.keys(texts);
+        this.replaced.hidden = names.length === 0;
+        this.replaced.replaceChildren(`Your text of ${names.join(', ')} has been replaced. `, this.stage.button('Restore', async () => {
+            if (this.replaced.querySelector(':focus-visible')) this.stage.canvas.focus({preventScroll: true});
+            this.offer({});
+            for (const name of names) await this.put(name, texts[name]);
+        }));
     }
 
     // Show which files of the running shader have been changed.
@@ -166,7 +191,10 @@ export class Changes {
         const {Editor} = await import('./editor.js');
         this.editor ??= new Editor(this.place, {
             read: (name) => this.stage.program.read(name),
-            changed: (name, text) => this.change(name, text),
+            changed: (name, text) => {
+                this.offer({});
+                return this.change(name, text);
+            },
             bottom: () => this.stage.error.hidden ? Infinity : this.stage.error.getBoundingClientRect().top,
         });
         this.show(this.stage.state);

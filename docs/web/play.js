@@ -129,7 +129,10 @@ async function reopen(name) {
     if (!drafts()[name]) return show(); // another tab has removed it
     const {base, stem, good} = drafts()[name], text = textOf(name), button = (words, run) => {
         const made = make('button', {type: 'button', textContent: words});
-        made.addEventListener('click', () => play(name, base, run, stem));
+        made.addEventListener('click', async () => {
+            await play(name, base, run, stem);
+            if (run !== text && at === name) chapter.stage.changes.offer({[fileOf(name)]: text});
+        });
         return made;
     };
     if (good === undefined || text === good) return play(name, base, text, stem);

@@ -96,7 +96,7 @@ export class Stage {
         this.bar.setAttribute('aria-label', 'The program');
         this.error = part('pre', {className: 'live-error', hidden: true});
         this.error.setAttribute('role', 'alert');
-        this.controls = part('div', {className: 'live-controls', hidden: true}, this.pad, this.bar, this.changes.element, this.changes.line, this.changes.other, this.error, this.values.element, this.ray.element, this.status);
+        this.controls = part('div', {className: 'live-controls', hidden: true}, this.pad, this.bar, this.changes.element, this.changes.line, this.changes.replaced, this.changes.other, this.error, this.values.element, this.ray.element, this.status);
     }
 
     // A button that acts as a key for as long as it is held down.

@@ -192,6 +192,13 @@ await torn.context.close();
 await press(page, 'Undo all');
 await page.waitForSelector('.live-changes', {state: 'hidden'});
 check('Undo all also removes the edits from the address', await page.evaluate(() => location.hash) === '');
+await page.getByRole('button', {name: 'Restore'}).press('Enter');
+await page.waitForSelector('.live-changes:not([hidden])');
+check('Restore brings back the texts that Undo all has removed', await page.evaluate(() => JSON.stringify({...localStorage}).includes('of my own')) && await page.locator('.live-replaced').isHidden());
+await page.locator('.live-changes').getByRole('button', {name: 'Undo all'}).press('Enter');
+await page.waitForSelector('.live-changes', {state: 'hidden'});
+await page.waitForFunction(() => document.activeElement.textContent === 'Restore', null, {timeout: PATIENCE / 3}).catch(() => {});
+check('after Undo all, Restore has the focus of the keyboard', await page.evaluate(() => document.activeElement.textContent) === 'Restore');
 await press(page, 'Edit');
 
 // ---- Commands beside the text ----
