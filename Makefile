@@ -478,7 +478,7 @@ windows-zip: windows ## pack the programs for Windows and all the files that the
 figures: ## redraw the diagrams of docs/figures/
 	@.make/setup.sh test
 	+@$(AGAIN) figure_programs
-	@for name in $(FIGURES); do build/docs/figures/$$name > docs/figures/$$name.svg || exit 1; done
+	@.make/figures.sh $(FIGURES)
 
 figure_programs: $(FIGURES:%=$(BUILD)/docs/figures/%)
 

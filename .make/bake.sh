@@ -4,12 +4,18 @@
 #
 # Environment: MESH, a Wavefront OBJ file. If the mesh cannot be baked, an earlier picture is kept.
 set -u
+. .make/write.sh
 
-[ -n "${MESH-}" ] || { echo 'bake: which mesh? For example: make bake MESH=my.obj' >&2 && exit 2; }
-name=$(basename "$MESH")
-file=build/${name%.obj}.png
-trap 'rm -f "$file.new"' EXIT
-build/shaders/textures/clay "$MESH" >"$file.new" || exit 1
-mv "$file.new" "$file" || exit 1
-echo "written  $file"
-CHAPTER=23 exec .make/run.sh --texture "grid=$file" "$@"
+[ -n "${MESH-}" ] || fail 2 'which mesh? For example: make bake MESH=my.obj'
+mesh=$MESH
+[[ $mesh != -* ]] || mesh=./$mesh # a name, not an option
+name=${mesh##*/}
+name=${name%.obj}.png
+! [ "$mesh" -ef "build/$name" ] || fail 2 "MESH=$MESH: the picture would replace this file: give it another name"
+begin build || exit 1
+build/shaders/textures/clay "$mesh" >"$new/picture" || exit 1
+mv "$new/picture" "$new/$name" 2>/dev/null || fail 1 "build/$name: cannot be written: the name is too long"
+keep "$name" || exit 1
+discard
+plain "written  build/$name"
+CHAPTER=23 exec .make/run.sh --texture "grid=build/$name" "$@"

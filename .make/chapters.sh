@@ -1,7 +1,7 @@
 # shellcheck shell=sh
 # chapters.sh - defines the list of chapters and functions that run them, and is sourced by other scripts here. It also
 # sets LC_ALL, so that the scripts behave the same in every language.
-export LC_ALL=C
+. .make/names.sh
 
 stems() {
     for file in chapters/[0-9][0-9]_*.c; do
@@ -18,8 +18,7 @@ stem_of() {
         esac
         [ -z "$1" ] && { echo "$stem"; return; }
     done
-    printf 'make: CHAPTER=%s: no such chapter: the chapters are %s\n' "$1" \
-        "$(stems | tr '\n' ' ' | sed 's/ $//; s/ /, /g')" >&2
+    report "CHAPTER=$1: no such chapter: the chapters are $(stems | tr '\n' ' ' | sed 's/ $//; s/ /, /g')"
     return 1
 }
 
@@ -42,8 +41,9 @@ in_file() {
 
 # write_table NAME FILE: in docs/benchmark.md, replace the table between the comments NAME and /NAME with that of FILE.
 write_table() {
-    awk -v name="$1" -v table="$2" '
+    # shellcheck disable=SC2016 # the dollar is awk's
+    write docs/benchmark.md awk -v name="$1" -v table="$2" '
         $0 == "<!-- " name " -->" { print; while ((getline line < table) > 0) print line; skip = 1; next }
         $0 == "<!-- /" name " -->" { skip = 0 }
-        !skip { print }' docs/benchmark.md >"$2.page" && cat "$2.page" >docs/benchmark.md && echo 'docs/benchmark.md: written'
+        !skip { print }' docs/benchmark.md && echo 'docs/benchmark.md: written'
 }

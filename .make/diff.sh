@@ -5,8 +5,7 @@ set -u
 . .make/chapters.sh
 
 if [ -z "${CHAPTER-}" ]; then
-    echo 'make: which chapter? For example: make diff CHAPTER=02' >&2
-    exit 1
+    fail 1 'which chapter? For example: make diff CHAPTER=02'
 fi
 before=
 case $CHAPTER in

@@ -6,12 +6,12 @@
 # leak, a hang (5 s for one input) or a violated condition; 2 if DURATION is invalid. The input that causes an error is
 # kept in build/fuzz/; add it to tests/corpus after the error is corrected.
 set -u
-export LC_ALL=C
+. .make/names.sh
 
 folder=build/fuzz
 duration=${DURATION:-60}
 case $duration in
-'' | *[!0-9]* | 0*) echo "make: DURATION=$duration: must be a positive whole number of seconds, as in DURATION=60" >&2; exit 2 ;;
+'' | *[!0-9]* | 0*) fail 2 "DURATION=$duration: must be a positive whole number of seconds, as in DURATION=60" ;;
 esac
 export ASAN_OPTIONS=detect_leaks=1
 export UBSAN_OPTIONS=print_stacktrace=1

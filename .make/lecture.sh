@@ -6,5 +6,8 @@ set -u
 . .make/chapters.sh
 . .make/scenes.sh
 
-in_window build/lecture "${LIST:-docs/lecture.txt}"
-draw_scenes "${LIST:-docs/lecture.txt}" build/lecture-scenes
+list=${LIST:-docs/lecture.txt}
+case $list in -*) list=./$list ;; esac # a name, not an option
+in_window build/lecture "$list"
+draw_scenes "$list" lecture-scenes
+keep lecture-scenes || exit 1

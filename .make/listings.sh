@@ -20,8 +20,8 @@
 # fence without an end) gives status 1 and leaves the page unchanged. --check changes nothing, and gives status 1 if a
 # block differs from its source or is not used; without pages it also checks the library.
 set -eu
-export LC_ALL=C
 cd "$(dirname "$0")/.."
+. .make/write.sh
 
 mode="write"
 if [ "${1-}" = --check ]; then
@@ -42,24 +42,24 @@ if [ $# -eq 0 ]; then
     done
 fi
 
-fresh=$(mktemp)
-trap 'rm -f "$fresh"' EXIT
-status=0
+scratch=$(mktemp -d "${TMPDIR:-/tmp}/ray-listings.XXXXXX")
+fresh=$scratch/page
+wrong=0
 for page in "$@"; do
-    if [ ! -r "$page" ]; then
-        echo "$page: cannot be read" >&2
-        status=1
+    if [ ! -f "$page" ] || [ ! -r "$page" ]; then
+        report "$page: cannot be read"
+        wrong=1
     elif ! awk -v mode="$mode" -v page="$page" -v build="${BUILD:-build}" \
         -f .make/source.awk -f .make/listings.awk "$page" >"$fresh"; then
-        status=1
+        wrong=1
     elif [ "$mode" = write ] && ! cmp -s "$fresh" "$page"; then
-        cat "$fresh" >"$page"
+        write "$page" cat "$fresh"
         echo "$page: listings rewritten"
     fi
 done
 if [ "$mode" = check ] && ! awk -v library="$library" \
     -v sources="$(echo shaders/*.* chapters/*.[cfg]* chapters/*/*.[cf]* common/*.[ch] common/*/*.[ch])" \
     -f .make/source.awk -f .make/listings_used.awk "$@"; then
-    status=1
+    wrong=1
 fi
-exit "$status"
+exit "$wrong"

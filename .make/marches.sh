@@ -4,11 +4,10 @@
 #
 # Environment: WRITE=1, to write the tables to docs/benchmark.md.
 set -u
+. .make/write.sh
 . .make/chapters.sh
 
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-build/tests/measure marches >"$work/table" || exit 1
-cat "$work/table"
-[ "${WRITE:-0}" = 0 ] || write_table marches "$work/table"
+scratch=$(mktemp -d "${TMPDIR:-/tmp}/ray-benchmark.XXXXXX") || exit 1
+build/tests/measure marches >"$scratch/table" || exit 1
+cat "$scratch/table"
+[ "${WRITE:-0}" = 0 ] || write_table marches "$scratch/table"

@@ -8,31 +8,31 @@
 # the maximum number of pictures drawn for a mutation, 6 by default. Exit status: 0 if at least 95 % were caught; 1
 # otherwise; 2 for wrong arguments.
 set -u
-export LC_ALL=C LP_NUM_THREADS=1
+export LP_NUM_THREADS=1
 unset MAKEFLAGS MAKELEVEL
 cd "$(dirname "$0")/.." || exit 1
+. .make/names.sh
 count=${COUNT:-60} seed=${SEED:-1}
 project=$PWD
 cpu_seconds=60 # for one run of a test; this also catches endless loops
 separator=$'\037'
 
-refuse() { echo "make mutants: $*" >&2; exit 2; }
-case $count in '' | *[!0-9]* | 0* | ?????*) refuse "COUNT=$count: must be a whole number from 1 to 9999" ;; esac
-case $seed in *[!0-9]* | ?????????*) refuse "SEED=$seed: must be a whole number from 0 to 99999999" ;; esac
+case $count in '' | *[!0-9]* | 0* | ?????*) fail 2 "COUNT=$count: must be a whole number from 1 to 9999" ;; esac
+case $seed in *[!0-9]* | ?????????*) fail 2 "SEED=$seed: must be a whole number from 0 to 99999999" ;; esac
 shader_files=() c_files=()
 # shellcheck disable=SC2046,SC2086 # a list of words
 set -- ${FILES:-$(find common -name '*.c' | sort) shaders/*.glsl}
 for file; do
-    [ -f "$file" ] || refuse "$file: no such file"
+    [ -f "$file" ] || fail 2 "$file: no such file"
     case $file in
     shaders/*.glsl) shader_files+=("$file") ;;
     common/*.c) # a source that is not built on this system cannot be judged
         if [ -e "build/${file%.c}.o" ]; then
             c_files+=("$file")
         elif [ -n "${FILES:-}" ]; then
-            refuse "$file: is not built on this system"
+            fail 2 "$file: is not built on this system"
         fi ;;
-    *) refuse "$file: must be a file common/**/*.c or shaders/*.glsl" ;;
+    *) fail 2 "$file: must be a file common/**/*.c or shaders/*.glsl" ;;
     esac
 done
 

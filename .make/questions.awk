@@ -1,5 +1,5 @@
 # questions.awk - convert the questions of docs/questions.txt for a learning platform, with -v form=gift or -v form=xml
-# (Moodle's XML). On the command line, the pages of the chapters precede the questions, because their titles name the
+# (Moodle's XML); table.awk defines html(), and bom is a byte order mark. On the command line, the pages of the chapters precede the questions, because their titles name the
 # categories. Fails if a question is malformed.
 
 function fail(why) {
@@ -9,14 +9,8 @@ function fail(why) {
 }
 
 function gift(text) {
+    gsub(/[[:cntrl:]]/, " ", text)
     gsub(/[\\~=#{}:]/, "\\\\&", text)
-    return text
-}
-
-function xml(text) {
-    gsub(/&/, "\\&amp;", text)
-    gsub(/</, "\\&lt;", text)
-    gsub(/>/, "\\&gt;", text)
     return text
 }
 
@@ -30,7 +24,7 @@ function category() {
     if (form == "gift")
         printf "$CATEGORY: $course$/Ray marching/%s\n\n", title[chapter]
     else
-        printf "<question type=\"category\"><category><text>$course$/Ray marching/%s</text></category></question>\n", xml(title[chapter])
+        printf "<question type=\"category\"><category><text>$course$/Ray marching/%s</text></category></question>\n", html(title[chapter])
 }
 
 function question(    i) {
@@ -46,11 +40,11 @@ function question(    i) {
         print "}\n"
     } else {
         printf "<question type=\"multichoice\"><name><text>%s</text></name>\n", id
-        printf "<questiontext format=\"plain_text\"><text>%s</text></questiontext>\n", xml(words)
+        printf "<questiontext format=\"plain_text\"><text>%s</text></questiontext>\n", html(words)
         print "<defaultgrade>1</defaultgrade><single>true</single><shuffleanswers>true</shuffleanswers><answernumbering>abc</answernumbering>"
         for (i = 1; i <= count; i++)
             printf "<answer fraction=\"%d\" format=\"plain_text\"><text>%s</text><feedback format=\"plain_text\"><text>%s</text></feedback></answer>\n",
-                (mark[i] == "+" ? 100 : 0), xml(answer[i]), xml(why[i])
+                (mark[i] == "+" ? 100 : 0), html(answer[i]), html(why[i])
         print "</question>"
     }
 }
@@ -59,6 +53,8 @@ BEGIN {
     if (form == "xml")
         print "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>"
 }
+FNR == 1 && index($0, bom) == 1 { $0 = substr($0, length(bom) + 1) } # some editors for Windows begin with it
+{ sub(/\r$/, "") }
 FILENAME ~ /[.]md$/ { if (FNR == 1) title[substr($2, 1, 2)] = substr($0, 3); next }
 /^#( |$)/ || /^$/ { next }
 /^## / {

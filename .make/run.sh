@@ -8,7 +8,7 @@ set -u
 
 if [ -n "${FIGURE-}" ]; then
     if [ ! -f "chapters/figures/$FIGURE.frag" ]; then
-        printf 'make: FIGURE=%s: no such figure: the figures are\n' "$FIGURE" >&2
+        report "FIGURE=$FIGURE: no such figure: the figures are"
         for file in chapters/figures/*.frag; do printf '  %s\n' "$(basename "$file" .frag)" >&2; done
         exit 1
     fi

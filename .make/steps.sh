@@ -7,14 +7,13 @@
 # Environment: CHAPTER, a single chapter to measure; ROUNDS, the number of measurements, and FRAMES, the number of
 # frames in each; WRITE=1, to write the table of all chapters to docs/benchmark.md.
 set -u
+. .make/write.sh
 . .make/chapters.sh
 
 rounds=${ROUNDS:-3}
 frames=${FRAMES:-9}
 means=chapters/experiments/16_means.glsl
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
+scratch=$(mktemp -d "${TMPDIR:-/tmp}/ray-benchmark.XXXXXX") || exit 1
 
 # Print the largest threshold of the first march as a GLSL expression, or nothing for a chapter that does not march its
 # scene with march or marchCone.
@@ -39,20 +38,20 @@ scene() { # STEM
         echo '#include "main.glsl"'
         cat "$means"
         printf '#include "%s.frag"\nfloat coarseMargin(float t)\n{\n    return %s;\n}\n' "$1" "$(margin "$1")"
-    } >"$work/means_$1.frag"
-    echo "$work/means_$1.frag"
+    } >"$scratch/means_$1.frag"
+    echo "$scratch/means_$1.frag"
 }
 
 # Print the name of a file that draws the scene of FILE without the longer steps of marchRelaxed, using the loop of
 # marchCone, which computes less in each step.
 plain() { # STEM FILE
-    case $2 in "$work"/*) included=${2##*/} ;; *) included=${2#chapters/} ;; esac
+    case $2 in "$scratch"/*) included=${2##*/} ;; *) included=${2#chapters/} ;; esac
     {
         printf '#include "main.glsl"\n#include "cone.glsl"\n#include "relaxed.glsl"\n'
         echo '#define marchRelaxed(ray, from, to, threshold, spread, omega, steps) marchCone(ray, from, to, threshold, spread, steps)'
         printf '#include "%s"\n' "$included"
-    } >"$work/plain_$1.frag"
-    echo "$work/plain_$1.frag"
+    } >"$scratch/plain_$1.frag"
+    echo "$scratch/plain_$1.frag"
 }
 
 value() { sed -n "s/^  \"$1\": \"\{0,1\}\(.*[^\",]\)\"\{0,1\},\{0,1\}\$/\1/p"; }
@@ -61,7 +60,7 @@ middle() { sort -g | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
 measure() { # NAME PROGRAM OPTION...
     name=$1
     shift
-    "$@" --benchmark "$frames" --benchmark=json -s 640x360 -t 1 >"$work/$name" || exit 1
+    "$@" --benchmark "$frames" --benchmark=json -s 640x360 -t 1 >"$scratch/$name" || exit 1
 }
 
 # Measure a chapter as it is and then with some of the methods, so that whatever slows down the machine affects both
@@ -76,8 +75,8 @@ compared() { # STEM KIND FILE OPTION...
         measure "$stem.was" "build/$stem"
         measure "$stem.$kind" "build/$stem" -f "$file" "$@"
     fi
-    awk "BEGIN { print $(value frame_minimum_cpu_ms <"$work/$stem.$kind") / $(value frame_minimum_cpu_ms <"$work/$stem.was") }" \
-        >>"$work/$stem.$kind.share"
+    awk "BEGIN { print $(value frame_minimum_cpu_ms <"$scratch/$stem.$kind") / $(value frame_minimum_cpu_ms <"$scratch/$stem.was") }" \
+        >>"$scratch/$stem.$kind.share"
 }
 
 if [ -n "${CHAPTER-}" ]; then list=$(stem_of "$CHAPTER") || exit 1; else list=$(stems); fi
@@ -85,7 +84,7 @@ marched=
 for stem in $list; do
     if [ "$stem" = 16_fewer_steps ] || [ -n "$(margin "$stem")" ]; then marched="$marched $stem"; fi
 done
-[ -n "$marched" ] || { echo 'make benchmark STEPS=1: this chapter does not use march or marchCone' >&2; exit 1; }
+[ -n "$marched" ] || fail 1 "STEPS=1: the chapter $list does not use march or marchCone"
 for round in $(seq "$rounds"); do
     for stem in $marched; do
         [ -t 2 ] && printf '%s, round %d of %d        \r' "$stem" "$round" "$rounds" >&2
@@ -109,24 +108,24 @@ done
 [ -t 2 ] && printf '%40s\r' '' >&2
 
 cell() { # STEM KIND
-    [ -e "$work/$1.$2" ] || { printf -- '-'; return; }
+    [ -e "$scratch/$1.$2" ] || { printf -- '-'; return; }
     share=1
-    [ "$2" = was ] || share=$(middle <"$work/$1.$2.share" | awk '{ printf "%.2f", $1 }')
-    printf '%s, %s, %s' "$(value evaluations_mean <"$work/$1.$2" | awk '{ printf "%.1f", $1 }')" \
-        "$(value march_over_bound <"$work/$1.$2" | awk '{ printf "%.2f", $1 }')" \
+    [ "$2" = was ] || share=$(middle <"$scratch/$1.$2.share" | awk '{ printf "%.2f", $1 }')
+    printf '%s, %s, %s' "$(value evaluations_mean <"$scratch/$1.$2" | awk '{ printf "%.1f", $1 }')" \
+        "$(value march_over_bound <"$scratch/$1.$2" | awk '{ printf "%.2f", $1 }')" \
         "$share"
 }
 {
-    echo "$(value backend <"$work/${marched##* }.was"); 640x360, $rounds rounds of $frames frames"
+    echo "$(value backend <"$scratch/${marched##* }.was"); 640x360, $rounds rounds of $frames frames"
     echo
     echo '| chapter | as it is | relaxed | coarse pass | all | frame |'
     echo '| --- | --- | --- | --- | --- | --- |'
     for stem in $marched; do
         echo "| $stem | $(cell "$stem" was) | $(cell "$stem" relaxed) | $(cell "$stem" coarse) | $(cell "$stem" all) | $(cell "$stem" frame) |"
     done
-} >"$work/table"
-cat "$work/table"
+} >"$scratch/table"
+cat "$scratch/table"
 
 if [ "${WRITE:-0}" != 0 ] && [ -z "${CHAPTER-}" ]; then
-    write_table steps "$work/table"
+    write_table steps "$scratch/table"
 fi

@@ -122,12 +122,18 @@ said_by_source "$scratch/signs.txt" >"$scratch/source"
 check 'special characters are read back from GIFT' reads_back "$scratch/signs.txt" gift
 check 'special characters are read back from XML' reads_back "$scratch/signs.txt" xml
 
+# A file that is refused leaves the last good files as they are, and nothing beside them.
 refuses() { # NAME WORDS TEXT
     printf '%b' "$3" >"$scratch/bad.txt"
-    check "a file of questions is refused for $1" eval "! writes '$scratch/bad.txt' && grep -q -e '$2' '$scratch/said' && [ \"\$(wc -l <'$scratch/said')\" = 1 ] && [ ! -e '$scratch/written/ray-marching.xml' ]"
+    check "a file of questions is refused for $1, and the last good files stay" eval "! writes '$scratch/bad.txt' && grep -q -e '$2' '$scratch/said' && [ \"\$(wc -l <'$scratch/said')\" = 1 ] && diff -r '$scratch/good' '$scratch/written'"
 }
 good='## 00.1 a?\n+ b\n- c // d\n- e // f\n'
-check 'a good question is accepted' eval "printf '$good' >'$scratch/good.txt' && writes '$scratch/good.txt'"
+check 'a good question is accepted' eval "printf '$good' >'$scratch/good.txt' && writes '$scratch/good.txt' && cp -R '$scratch/written' '$scratch/good'"
+by_windows() { # an editor for Windows begins with a byte order mark and ends lines with carriage returns
+    { printf '\357\273\277' && sed "s/\$/$(printf '\r')/" "$scratch/good.txt"; } >"$scratch/windows.txt"
+    writes "$scratch/windows.txt" && diff -r "$scratch/good" "$scratch/written"
+}
+check 'a file of questions from an editor for Windows is accepted' by_windows
 refuses 'no right answer' '00.1 needs exactly one right' "${good/+ b/- b // c}"
 refuses 'a wrong answer without a reason' 'bad.txt:3: a wrong answer needs a reason' "${good/ \/\/ d/}"
 refuses 'a reason for the right answer' 'bad.txt:2: .* the right answer must have none' "${good/+ b/+ b // c}"
