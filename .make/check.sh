@@ -10,30 +10,26 @@
 #
 # Environment: EXERCISE; FILE, or FILES for a table with one line for each file. FILES is a pattern, or several patterns
 # separated by spaces. Pictures of the differences are left in build/check/EXERCISE/, each under the path of its file;
-# if the solution exists, wrong.txt in that folder lists the wrong pictures, as scenes for `make lecture`. CHECK_FOLDER
-# replaces build/check/. For `make marks`, the files are arguments, and MARKS names a file that receives a line for each
-# of them, with fields separated by tabs: exercise, file, mark, verdict, its picture, the right picture ('-' if there is
-# none). For `make student`, STORE is a folder in which the solution's pictures and rays are stored; no file is checked.
-# Exit status: 0 if every file is right, 1 if one is not, 2 if the files cannot be checked.
+# if the solution exists, wrong.txt in that folder lists the wrong pictures, as scenes for `make lecture`. For `make
+# marks`, the files are arguments, CHECK_FOLDER replaces build/check/ in messages, CHECK_WORK is where it is made, and
+# MARKS names a file that receives a line for each of them, with fields separated by tabs: exercise, file, mark, verdict,
+# its picture, the right picture ('-' if there is none). For `make student`, STORE is a folder in which the solution's
+# pictures and rays are stored; no file is checked. Exit status: 0 if every file is right, 1 if one is not, 2 if the
+# files cannot be checked.
 set -u
-export LC_ALL=C
 
+. .make/write.sh
 # shellcheck source=.make/exercises.sh
 . .make/exercises.sh
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
 limit=${CHECK_LIMIT:-60} # seconds of processor time for one picture, so that a busy machine makes no difference
-
-fail() {
-    printf 'make: %s\n' "$*" >&2
-    exit 2
-}
 
 # A full disk must not look like a wrong answer.
 need_room() {
     { head -c 4096 /dev/zero >"$scratch/room"; } 2>/dev/null || no_room
 }
 no_room() {
-    fail "$scratch: the disk has no room for the pictures: free some space, or set TMPDIR to a folder on another disk"
+    fail 2 "$scratch: the disk has no room for the pictures: free some space, or set TMPDIR to a folder on another disk"
 }
 
 # Run the program; OPTIONS is one word. A file that was handed in has a time limit, because it may loop forever.
@@ -62,7 +58,7 @@ describe() { # SHADER OPTIONS X,Y
 
 # Print where to look, below the message about a wrong picture.
 look() { # FILE OPTIONS PLACE N
-    echo "  look at yours: $program --shader $(quoted "$1")${shown:+ $shown}"
+    printf '%s\n' "  look at yours: $program --shader $(quoted "$1")${shown:+ $shown}"
     echo "  your pixel $3: $(describe "$1" "$2" "$3")"
     if [ -e "$solution" ]; then
         echo "  the solution's: $(describe "$solution" "$2" "$3")"
@@ -71,17 +67,22 @@ look() { # FILE OPTIONS PLACE N
     fi
 }
 
-# List a wrong picture as a scene for `make lecture`, with the file on the left and the solution on the right.
+# List a wrong picture as a scene for `make lecture`, with the file on the left and the solution on the right. A list can
+# contain only plain names.
 list_wrong() { # FILE WORDS
-    [[ "$1" != *[$'\r\n']* && -e "$solution" ]] || return
-    printf '%s --shader %s --compare %s %s\n    %s, on the left: %s\n' "${program#build/}" "$(quoted "$1")" "$solution" "$shown" "$1" "$2" >>"$folder/wrong.txt"
+    [ -e "$solution" ] || return
+    if is_plain "$1"; then
+        printf '%s --shader %s --compare %s %s\n    %s, on the left: %s\n' "${program#build/}" "$(quoted "$1")" "$solution" "$shown" "$1" "$2" >>"$work/wrong.txt"
+    else
+        report "$1: a list of scenes cannot contain this name, so the picture is not in wrong.txt: rename the file"
+    fi
 }
 
 # Make the solution's picture for line N of the options, and the solution's nine rays, when they are first needed.
 right_picture() { # N OPTIONS
     [ -e "$scratch/$1.png" ] ||
         render "$2" "$solution" -o "$scratch/$1.png" >/dev/null 2>"$scratch/errors" ||
-        fail "$solution: $(head -n 1 "$scratch/errors")"
+        fail 2 "$solution: $(head -n 1 "$scratch/errors")"
 }
 right_rays() { # OPTIONS PLACES
     # shellcheck disable=SC2086 # the pixels are separate words
@@ -97,10 +98,10 @@ why_not() { # STATUS
 }
 
 # Keep the last two pictures that are compared for a file, for the page of `make marks`.
-keep_pictures() { # N PICTURE
-    cp "$mine" "$2"
-    cp "$scratch/$1.png" "${2%.png}.right.png"
-    printf '%s\t%s\n' "$2" "${2%.png}.right.png" >"$scratch/kept"
+keep_pictures() { # N
+    local own=$work/$checked.png right=$work/$checked.right.png
+    { cp "$mine" "$own" && cp "$scratch/$1.png" "$right"; } 2>/dev/null || no_room
+    printf '%s\t%s\n' "$own" "$right" >"$scratch/kept"
 }
 
 # Build a C program as docs/engine.md says, and print what it does with one command line: that it writes a picture, or
@@ -139,21 +140,31 @@ judge_program() { # FILE DIFFERENCE
         said=$(outcome mine "$options")
         [ "$said" = "$right" ] || { echo "with -o FILE.png $options the program $said, but the solution $right"; return 1; }
         [[ $right == writes* ]] || continue
-        said=$(build/tests/judge picture "$options" "$scratch/$number.png" "$scratch/mine.png" "$2") || { tail -n 1 <<<"$said: see $2"; return 1; }
+        said=$(build/tests/judge picture "$options" "$scratch/$number.png" "$scratch/mine.png" "$work/$2") || { tail -n 1 <<<"$said: see $folder/$2"; return 1; }
         shares+=("$(sed -n 2p <<<"$said")")
     done <<<"$wanted"
     build/tests/judge right "${shares[@]}"
 }
 
+# Print where in the folder the picture of a file's differences is stored: under the path of the file. A long name is
+# shortened.
+difference_of() { # FILE
+    local path=${1#/} name=${1##*/}
+    path=/${path%"$name"}
+    while [[ $path == */./* || $path == */../* ]]; do path=${path/\/.\///}; path=${path/\/..\///}; done
+    [ ${#name} -le 200 ] || name=${name:0:150}-$(printf '%s' "$1" | cksum | tr ' ' -)
+    printf '%s\n' "${path#/}$name.difference.png"
+}
+
 # Judge one file and print the verdict; its first line also fits into a table.
 judge() { # FILE
     local file=$1 options status said place share shares=() shown places number=0 mine=$scratch/mine.png
-    local difference=${file%.*}.difference.png
-    difference=$folder/$(sed -E 's|^([.]{0,2}/)*||; s|/[.]{1,2}/|/|g' <<<"$difference")
+    local difference
+    difference=$(difference_of "$file")
     [ -e "$file" ] || { echo 'no such file'; return 1; }
     [ -f "$file" ] || { echo 'not a regular file'; return 1; }
     [ -r "$file" ] || { echo 'cannot be read'; return 1; }
-    mkdir -p "$(dirname "$difference")" || return 1
+    mkdir -p "$(dirname "$work/$difference")" 2>/dev/null || { echo 'its path is too long, or the disk is full'; return 1; }
     [[ $solution != *.diff ]] || { judge_program "$file" "$difference"; return; }
     while read -r options; do
         number=$((number + 1))
@@ -166,13 +177,13 @@ judge() { # FILE
             why_not "$status"
             return 1
         }
-        [ -z "${MARKS-}" ] || keep_pictures "$number" "${difference%.difference.png}.png"
-        said=$(build/tests/judge picture "$shown" "$scratch/$number.png" "$mine" "$difference")
+        [ -z "${MARKS-}" ] || keep_pictures "$number"
+        said=$(build/tests/judge picture "$shown" "$scratch/$number.png" "$mine" "$work/$difference")
         status=$?
         [ "$status" -le 1 ] || exit 2 # judge has reported the error
         { read -r place; read -r share; read -r said; } <<<"$said"
         [ "$status" = 0 ] || {
-            echo "$said: see $difference"
+            printf '%s\n' "$said: see $folder/$difference"
             look "$file" "$options" "$place" "$number"
             list_wrong "$file" "$said"
             return 1
@@ -202,7 +213,7 @@ is_published() { # FILE
 # Store those parts of the solution that a check needs.
 store() { # FOLDER
     local options picture number=0
-    mkdir -p "$1" || exit 2
+    mkdir "$1" || exit 2
     while read -r options; do
         number=$((number + 1))
         if [[ $solution == *.diff ]]; then
@@ -224,66 +235,75 @@ store() { # FOLDER
     cp "$scratch/text" "$1" || exit 2
 }
 
-case ${EXERCISE-} in
-[0-9][0-9]_[0-9]* | engine_[0-9]*) ;;
-'') fail "which exercise? For example: make check EXERCISE=03_2 FILE=my.frag" ;;
-*) fail "EXERCISE=$EXERCISE: must be a chapter, or engine, and a number, such as 03_2 or engine_1" ;;
-esac
+[ -n "${EXERCISE-}" ] || fail 2 "which exercise? For example: make check EXERCISE=03_2 FILE=my.frag"
+[[ $EXERCISE =~ ^([0-9][0-9]|engine)_[0-9]+$ ]] || fail 2 "EXERCISE=$EXERCISE: must be a chapter, or engine, and a number, such as 03_2 or engine_1"
 stem=$(basename "$(echo chapters/"${EXERCISE%%_*}"_*.c)" .c)
 wanted=$(pictures_of "$stem" "${EXERCISE#*_}")
 [[ $EXERCISE == [0-9]* ]] || wanted=$(sed -n "s/^$EXERCISE  *//p" tests/course/checks.txt)
-[ -n "$wanted" ] || fail "EXERCISE=$EXERCISE: no solution to compare with; these exercises have one: $({ exercises; engine_exercises; } | paste -s -d ' ' -)"
+[ -n "$wanted" ] || fail 2 "EXERCISE=$EXERCISE: no solution to compare with; these exercises have one: $({ exercises; engine_exercises; } | paste -s -d ' ' -)"
 files=()
 if [ $# -gt 0 ]; then files=("$@"); elif [ -z "${STORE-}" ]; then find_files; fi
 set -f
-[ -n "${STORE-}" ] || [ ${#files[@]} -gt 0 ] || fail "which file? For example: make check EXERCISE=$EXERCISE FILE=my.frag"
+[ -n "${STORE-}" ] || [ ${#files[@]} -gt 0 ] || fail 2 "which file? For example: make check EXERCISE=$EXERCISE FILE=my.frag"
 
 program=build/$stem
 solution=chapters/solutions/${stem}_${EXERCISE#*_}.frag
 folder=${CHECK_FOLDER:-build/check}/$EXERCISE # for the pictures of the differences
-rm -rf "$folder" && mkdir -p "$folder" && scratch=$(mktemp -d "${TMPDIR:-/tmp}/ray-check.XXXXXX") || exit 2
-trap 'rm -rf "$scratch"' EXIT
-trap 'exit 2' HUP INT TERM
+for file in ${files[@]+"${files[@]}"}; do
+    ! is_in "$folder" "$file" || fail 2 "$file: make check writes the folder $folder anew: copy the file to another place"
+done
+if [ -n "${STORE-}" ]; then begin "${STORE%/*}"; elif [ -z "${CHECK_WORK-}" ]; then begin "${folder%/*}"; fi || exit 2
+work=${CHECK_WORK:-$new}/$EXERCISE
+scratch=$(mktemp -d "${TMPDIR:-/tmp}/ray-check.XXXXXX") || exit 2
 [[ $EXERCISE == [0-9]* ]] || solution=chapters/solutions/$EXERCISE.diff
 stored=tests/course/stored/$EXERCISE
 if [ ! -e "$solution" ]; then
-    cp -R "$stored/." "$scratch" 2>/dev/null || fail "EXERCISE=$EXERCISE: neither $solution nor $stored exists"
+    cp -R "$stored/." "$scratch" 2>/dev/null || fail 2 "EXERCISE=$EXERCISE: neither $solution nor $stored exists"
 elif [[ $EXERCISE == [0-9]* ]]; then
     text_of "$solution" >"$scratch/text"
 else
-    command -v patch >/dev/null || fail "EXERCISE=$EXERCISE: needs patch: make setup installs it"
+    command -v patch >/dev/null || fail 2 "EXERCISE=$EXERCISE: needs patch: make setup installs it"
     if ! patch -s -o "$scratch/right.c" chapters/first_steps/engine_6.c "$solution" ||
         ! build_program "$scratch/right.c" "$scratch/right"; then
-        fail "$solution: cannot be built: $(head -n 1 "$scratch/errors")"
+        fail 2 "$solution: cannot be built: $(head -n 1 "$scratch/errors")"
     fi
     text_of "$scratch/right.c" >"$scratch/text"
 fi
 if [ -n "${STORE-}" ]; then
-    store "$STORE"
+    store "$work"
+    keep "$EXERCISE" || exit 2
     exit
 fi
 
-wrong=0 width=0
+mkdir -p "$work" || exit 2
+wrong=0 width=0 checked=0 names=()
 for file in "${files[@]}"; do
-    [ ${#file} -le "$width" ] || width=${#file}
+    names+=("$(clean 240 "$file")")
+    [ ${#names[checked]} -le "$width" ] || width=${#names[checked]}
+    checked=$((checked + 1))
 done
+checked=0
 for file in "${files[@]}"; do
     mark=right
     need_room
     printf -- '-\t-\n' >"$scratch/kept"
     verdict=$(judge "$file") || { [ $? = 2 ] && exit 2; need_room; mark=wrong wrong=$((wrong + 1)); }
     ! is_published "$file" || verdict="the published solution; $verdict"
+    first=$(clean 1600 "${verdict%%$'\n'*}")
     if [ -n "${MARKS-}" ]; then
-        printf '%s\t%s\t%s\t%s\t%s\n' "$EXERCISE" "$file" "$mark" "$(head -n 1 <<<"$verdict" | tr '\t' ' ')" "$(cat "$scratch/kept")" >>"$MARKS" || exit 2
+        printf '%s\t%s\t%s\t%s\t%s\n' "$EXERCISE" "$file" "$mark" "$first" "$(cat "$scratch/kept")" >>"$MARKS" || exit 2
     elif [ -n "${FILES-}" ]; then
-        printf '%-5s  %-*s  %s\n' "$mark" "$width" "$file" "${verdict%%$'\n'*}"
+        printf '%-5s  %-*s  %s\n' "$mark" "$width" "${names[checked]}" "$first"
     else
-        printf '%s: %s: %s\n' "$file" "$mark" "$verdict"
+        printf '%s\n' "${names[checked]}: $mark: $first${verdict#"${verdict%%$'\n'*}"}"
     fi
+    checked=$((checked + 1))
 done
-find "$folder" -depth -type d -empty -delete
-[ -z "${FILES-}" ] || [ -n "${MARKS-}" ] || {
-    echo "$((${#files[@]} - wrong)) of ${#files[@]} right"
-    [ ! -e "$folder/wrong.txt" ] || beside "$folder/wrong.txt"
-}
+find "$work" -mindepth 1 -depth -type d -empty -delete
+if [ -z "${MARKS-}" ]; then
+    keep "$EXERCISE" || exit 2
+    rmdir "$folder" 2>/dev/null # unless there are pictures
+    [ -z "${FILES-}" ] || echo "$((${#files[@]} - wrong)) of ${#files[@]} right"
+    [ -z "${FILES-}" ] || [ ! -e "$folder/wrong.txt" ] || beside "$folder/wrong.txt"
+fi
 [ "$wrong" = 0 ]

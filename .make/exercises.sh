@@ -2,7 +2,7 @@
 # exercises.sh - the pictures and rays that are compared for an exercise, for `make check`, `make marks` and the pages.
 # When sourced, it defines functions; when run, it prints a line for each picture:
 # NN_K|STEM|OPTIONS|OPTIONS AS SHOWN|OPTIONS OF ITS RAYS|PIXELS OF ITS RAYS.
-export LC_ALL=C
+. .make/names.sh
 
 # Print NN_K for every exercise that has a solution. In the course for students, only checks.txt lists exercises.
 exercises() {
@@ -61,11 +61,18 @@ text_of() { # FILE
     without_comments "$1" | tr -d '[:space:]' | cksum
 }
 
-# Quote a word for a command line or a lecture's list, if it contains a special character.
+# Quote a word for a command line or a lecture's list, if it contains a special character. A lecture's list cannot
+# contain the last form.
 quoted() { # WORD
     local end="'" quote="'\"'\"'" text
     text=${1//$end/$quote}
-    if [[ "$1" =~ ^[A-Za-z0-9_./:,+@%=-]+$ ]]; then echo "$1"; else echo "'$text'"; fi
+    if [[ "$1" =~ ^[A-Za-z0-9_./:,+@%=-]+$ ]]; then
+        printf '%s\n' "$1"
+    elif is_plain "$1"; then
+        printf "'%s'\n" "$text"
+    else
+        printf '%q\n' "$1"
+    fi
 }
 
 # Print the command that shows the wrong pictures of a list beside the right ones.
@@ -74,23 +81,26 @@ beside() { # LIST
 }
 
 # Set files to those named by FILE or FILES. FILES is first tried as a single pattern, because names may contain spaces.
+# A name that a tool would take for an option gets a folder.
 find_files() {
-    local IFS='' file
+    local IFS='' file i found=
     files=(${FILE:+"$FILE"})
-    [ -n "${FILES-}" ] || return
     shopt -s nullglob
     for IFS in '' ' '; do
+        if [ -z "${FILES-}" ] || [ -n "$found" ]; then break; fi
         # shellcheck disable=SC2206 # a pattern is expanded to files
         files=($FILES)
         for file in ${files[@]+"${files[@]}"}; do
-            [ ! -e "$file" ] || return
+            [ ! -e "$file" ] || found=1
         done
     done
-    fail "FILES='$FILES': no such file"
+    [ -z "${FILES-}" ] || [ -n "$found" ] || fail 2 "FILES='$FILES': no such file"
+    for i in ${files[@]+"${!files[@]}"}; do
+        [[ ${files[i]} != -* ]] || files[i]=./${files[i]}
+    done
 }
 
 [ "${BASH_SOURCE[0]}" = "$0" ] || return 0
-cd "$(dirname "$0")/.." || exit 1
 exercises | while read -r exercise; do
     stem=$(basename "$(echo chapters/"${exercise%%_*}"_*.c)" .c)
     pictures_of "$stem" "${exercise#*_}" | while read -r options; do
