@@ -385,8 +385,8 @@ serve: site ## serve that website on this machine only, at http://127.0.0.1:8000
 setup: ## install everything that run, test and lint need
 	@.make/setup.sh --all run test lint
 
-clean: ## remove build/
-	rm -rf build
+clean: ## remove build/, except what was added to the course for students
+	@.make/clean.sh
 
 help: ## print this list
 	@awk -F ':.*## ' '/^# ---- To / { print (n++ ? "\n" : "") substr($$1, 8, length($$1) - 12) } \

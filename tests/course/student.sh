@@ -15,14 +15,10 @@ course=$scratch/out/ray-marching
 student() { STUDENT_FOLDER=$scratch/out EXERCISES='00_2 engine_1' .make/student.sh >"$scratch/said" 2>&1; }
 check_empty() { check "$1" [ ! -s "$2" ] || head -n 8 "$2" | sed 's/^/# /'; } # NAME FILE
 
-# The folder is already a repository, and has a file that is no longer in the course.
-mkdir -p "$course/.git" "$course/docs" && : >"$course/.git/kept" && : >"$course/docs/stale.md"
 check 'make student packs the course' student || sed 's/^/# /' "$scratch/said"
 chapters=$(find docs -name '[0-9][0-9]_*.md' | wc -l)
 
 # ---- What is in it ----
-
-check 'the history of the folder is kept, and a stale file is removed' [ -e "$course/.git/kept" -a ! -e "$course/docs/stale.md" ]
 
 check 'the course for students has the pages of all chapters' [ "$(find "$course/docs" -name '[0-9][0-9]_*.md' | wc -l)" = "$chapters" ]
 find "$course" -path '*solutions*' -o -name 'teaching.md' -o -name 'questions.txt' -o -name 'answers.txt' >"$scratch/found"
@@ -57,6 +53,26 @@ check 'the course for students has a dev container, a workflow and a folder for 
 files() { (cd "$scratch/out" && find ray-marching -type f ! -path '*/.git/*'); }
 zipped() { unzip -Z1 "$scratch/out/ray-marching.zip" 2>/dev/null || python3 -m zipfile -l "$scratch/out/ray-marching.zip" | awk 'NR > 1 { print $1 }'; }
 check 'the zip has as many files as the folder' diff <(files | wc -l) <(zipped | wc -l)
+
+# ---- The folder, written again ----
+
+# A file of an older course, one that is no longer in the course, one that a lecturer has changed, and two that are new.
+again() {
+    mkdir -p "$course/.git" && : >"$course/.git/kept" && echo mine >"$course/.gitlab-ci.yml" && echo mine >>"$course/LICENSE" &&
+        mkdir "$course/docs/old" && echo old >"$course/docs/old/page.md" && echo old >"$course/Makefile" &&
+        (cd "$course" && cksum ./docs/old/page.md ./Makefile) >>"$scratch/out/written" && cp "$scratch/out/ray-marching.zip" "$scratch/zip" && student
+}
+check 'make student writes the folder again' again || sed 's/^/# /' "$scratch/said"
+check 'an old file is replaced' cmp Makefile "$course/Makefile"
+check 'a file that is no longer in the course is removed, with its folder' [ ! -e "$course/docs/old" ]
+check 'what was added stays, the history included' [ -e "$course/.git/kept" -a -s "$course/.gitlab-ci.yml" ]
+changed() { [ "$(tail -n 1 "$course/LICENSE")" = mine ] && [ "$(grep -c 'changed there and stay as they are: LICENSE: ' "$scratch/said")" = 1 ]; }
+check 'a file that was changed stays, and its name is printed' changed
+check 'the zip has the same bytes as before' cmp "$scratch/zip" "$scratch/out/ray-marching.zip"
+check 'nothing else is left in the folder' [ "$(ls -A "$scratch/out")" = "ray-marching
+ray-marching.zip
+stored
+written" ]
 
 # ---- make check in it ----
 
