@@ -3,20 +3,20 @@
 # out. make calls this script after the module is built and the node packages are installed. The same sources give the
 # same bytes.
 set -eu
-export LC_ALL=C TZ=UTC SOURCE_DATE_EPOCH=0
+export TZ=UTC SOURCE_DATE_EPOCH=0
+. .make/write.sh
 . .make/pages.sh
 # The variables replace the target, the source folder and the folder of the programs.
 target=${SITE_FOLDER:-build/site} source=${SITE_SOURCE:-docs/web} web=${WEB_FOLDER:-build/web}
-# The site is built beside the target, so that the last site remains if a page has an error.
-new=$target.new out=$target.new/$(basename "$target")
-
-rm -rf "$new"
+begin "$(dirname "$target")"
+name=$(basename "$target")
+out=$new/$name
 mkdir -p "$out/fonts"
 # shellcheck disable=SC2046
 node "$source/site.mjs" "$out" $(pages)
 
 # Copy the programs, in the layout of `make web`.
-(cd "$web" && find . -type f ! -path './objects/*' ! -name '*.map') | while read -r file; do
+(cd "$web" && find . -type f ! -path './objects/*' ! -path './.*' ! -name '*.map') | while read -r file; do
     mkdir -p "$out/$(dirname "$file")"
     cp "$web/$file" "$out/$file"
 done
@@ -25,8 +25,6 @@ cp "$source/LICENSE.fonts" "$out/fonts/LICENSE.txt"
 
 # With fixed times, no owners and a fixed order, the archive depends only on the files.
 find "$out" -exec chmod u=rwX,go=rX {} + -exec touch -d '1980-01-01 00:00:00' {} +
-(cd "$new" && find "$(basename "$out")" -type f | sort | zip -q -X -9 -@ "$(basename "$out").zip")
-rm -rf "$target" "$target.zip"
-mv "$out" "$out.zip" "$(dirname "$target")/"
-rm -r "$new"
+(cd "$new" && find "$name" -type f | sort | zip -q -X -9 -@ "$name.zip")
+keep "$name" "$name.zip"
 echo "$target/: $(find "$target" -type f | wc -l) files, $(du -sm "$target" | cut -f 1) MB; $target.zip: $(du -m "$target.zip" | cut -f 1) MB"

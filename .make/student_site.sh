@@ -2,9 +2,10 @@
 # student_site.sh - `make site STUDENT=1`: build the website of the course for students in build/student/. make calls it
 # after the module is built, the node packages are installed and `make student` has written the folder.
 set -eu
+. .make/write.sh
 course=build/student/ray-marching
 mkdir -p "$course/build/web/objects"
-cp build/web/objects/harness.* "$course/build/web/objects"
+for file in harness.js harness.wasm; do write "$course/build/web/objects/$file" cat "build/web/objects/$file"; done
 ln -sfn ../../../node "$course/build/node"
 cd "$course"
 .make/web.sh

@@ -2,11 +2,11 @@
 # windows_zip.sh - `make windows-zip`: pack the programs for Windows and all the files that they read into
 # build/ray-marching-windows.zip, to be unpacked and opened with a double click. The same sources give the same bytes.
 set -eu
-export LC_ALL=C TZ=UTC
+export TZ=UTC
+. .make/write.sh
 
-zip=$PWD/build/ray-marching-windows.zip
-out=build/windows/zip/ray-marching
-rm -rf build/windows/zip "$zip"
+begin build
+out=$new/ray-marching
 mkdir -p "$out/licences" "$out/shaders/textures" "$out/exercises" "$out/build" # commands on the pages write their pictures to build
 
 # ---- The programs and the files that they read ----
@@ -61,5 +61,6 @@ done
 date=$(git log -1 --format=%ct 2>/dev/null || echo 946684800)
 find "$out" -type d -exec chmod 755 {} + -o -exec chmod 644 {} +
 find "$out" -exec touch -d "@$date" {} +
-(cd build/windows/zip && find ray-marching -type f -o -type d -empty | sort | zip -q -9 -X -@ "$zip")
-printf 'build/ray-marching-windows.zip: %s bytes\n' "$(wc -c <"$zip" | tr -d ' ')"
+(cd "$new" && find ray-marching -type f -o -type d -empty | sort | zip -q -9 -X -@ ray-marching-windows.zip)
+keep ray-marching-windows.zip
+printf 'build/ray-marching-windows.zip: %s bytes\n' "$(wc -c <build/ray-marching-windows.zip | tr -d ' ')"
