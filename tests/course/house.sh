@@ -91,7 +91,7 @@ check_empty 'the calls between the objects form no cycle' "$scratch/circle"
 # ---- Systems ----
 
 # Code for one operating system is in common/platform/. There is one exception: the backend osmesa includes <dlfcn.h>.
-platform='^common/platform/[a-z_]*\.c:'
+platform='^common/platform/[a-z0-9_]*\.c:'
 
 # systems_in FILE...: prints the lines that test for an operating system.
 systems_in() {
