@@ -148,7 +148,7 @@ ABSENT += $(filter-out $(PLATFORM:%=common/%.c),$(filter common/platform/%,$(SOU
 # For a browser, common/browser/ replaces some sources.
 BROWSER := $(filter common/browser/%,$(SOURCES))
 ABSENT += $(if $(WEB),common/window/full_screen.c)
-ABSENT += $(if $(WEB),$(patsubst %,common/%.c,context/egl context/osmesa context/guard picture/image_read picture/image_write platform/posix_process platform/posix_x11 window/none),$(BROWSER))
+ABSENT += $(if $(WEB),$(patsubst %,common/%.c,context/egl context/osmesa context/guard picture/image_read picture/image_write platform/posix_process platform/posix_display window/none),$(BROWSER))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES))) $(BUILD)/common/picture/font.o
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
 # The code that tests share is in an archive, from which the linker takes the objects that a test or a figure uses. No

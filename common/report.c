@@ -90,7 +90,7 @@ static size_t shorten(char *text, size_t length, size_t most)
         half--;
     while (((unsigned char)text[from] & 0xC0) == 0x80)
         from++;
-    memcpy(text + half, "...", 3);
+    memset(text + half, '.', 3);
     memmove(text + half + 3, text + from, length - from);
     return half + 3 + length - from;
 }
@@ -195,7 +195,7 @@ void report_progress(int done, int count, const char *what)
 void report_text(const char *text)
 {
     while (*text != '\0') {
-        char character[4];
+        char character[4] = "";
         fwrite(character, 1, copy_next(character, &text, "\n\t"), stdout);
     }
 }

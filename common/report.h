@@ -24,7 +24,7 @@ void report_location(const char *text);
 
 // Print several lines of text, such as a shader's errors with their source, on standard error.
 // Newlines and tabs remain, and each line is shortened as report() shortens its line.
-void report_lines(const char *text);
+void report_lines(const char *lines);
 
 // Return the last message of report() or report_lines(), as it was printed, so that it can also be
 // shown elsewhere; text beyond 8 KiB is cut off. Returns "" before the first message. The string is

@@ -1,5 +1,5 @@
-// Replaces platform/posix_process.c and platform/posix_x11.c in a browser, which limits the memory
-// of a page without telling the page, and has no X server.
+// Replaces platform/posix_process.c and platform/posix_display.c in a browser, which limits the
+// memory of a page without telling the page, and has no X server.
 #include "platform.h"
 
 #include <math.h>

@@ -6,15 +6,15 @@
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
+. tests/lib/refuse.sh
 
 open_scratch
 chmod 755 "$scratch"
-out=$scratch/out         # the folder for the pictures
+open_out
 shaders=$scratch/shaders # the folder for faulty shader files
-mkdir "$out" "$shaders"
+mkdir "$shaders"
 chapter=$root/$BUILD/03_shadows
 unset DISPLAY WAYLAND_DISPLAY
-windows() { [ "${SYSTEM-}" = Windows ]; }
 copy_program() { # FOLDER
     if windows; then
         cp build/windows/03_shadows.exe build/windows/*.dll "$1"
@@ -22,52 +22,6 @@ copy_program() { # FOLDER
     else
         cp "$chapter" "$1"
     fi
-}
-
-# ---- How one run is judged ----
-
-# The output folder contains one old file, which must not change, and nothing else.
-fill() {
-    find "$out" -mindepth 1 -delete
-    printf 'an old file' >"$out/old.png"
-}
-
-# The names in the output folder, on one line; old.png is listed only if it is unchanged.
-listing() {
-    (cd "$out" && [ "$(cat old.png)" = 'an old file' ] && find . -mindepth 1 | sort | tr '\n' ' ')
-}
-
-# run COMMAND...: sets status, error (the messages) and said (the number of lines in them).
-run() {
-    "$@" >"$scratch/stdout" 2>"$scratch/stderr"
-    status=$?
-    error=$(cat "$scratch/stderr")
-    said=$(grep -c '' "$scratch/stderr")
-}
-
-# Print why the last run is not a proper failure, or nothing if it is.
-complaint() { # STATUS PATTERN LINES
-    [ "$status" = "$1" ] || echo "status $status, not $1;"
-    [ "$3" = many ] || [ "$said" = 1 ] || echo "$said lines on standard error;"
-    [ "$said" -ge 1 ] || echo 'nothing on standard error;'
-    grep -q -i -e "$2" "$scratch/stderr" || echo "no '$2' in the message;"
-    if grep -q 'Sanitizer\|runtime error' "$scratch/stderr"; then echo 'a sanitizer printed a message;'; fi
-    [ -s "$scratch/stdout" ] && echo 'text on standard output;'
-    [ "$(listing)" = "$expected_listing" ] || echo "the folder contains $(listing);"
-}
-
-# refuse NAME STATUS PATTERN COMMAND...: the command must fail with this status and one line that matches the pattern.
-# refuse_at_length allows any number of lines, for errors in a shader. NAME is the subject of 'is reported'.
-refuse() { judge one "$@"; }
-refuse_at_length() { judge many "$@"; }
-expected_listing='./old.png '
-judge() {
-    local lines=$1 name=$2 wanted=$3 pattern=$4 why
-    shift 4
-    run "$@"
-    why=$(complaint "$wanted" "$pattern" "$lines")
-    if [ -z "$why" ]; then ok "$name is reported"; else not_ok "$name is reported" "$(echo "$why" "$error" | tr '\n' ' ')"; fi
-    [ -z "$why" ] || [ -n "${keep-}" ] || fill
 }
 
 # succeed NAME COMMAND...: the command must exit with status 0 and print nothing on standard error.
@@ -90,7 +44,6 @@ is_picture() { # FILE
 
 small=(-s 16x9)
 to=(-o "$out/new.png" "${small[@]}")
-fill
 
 # ---- The command line and parameters ----
 

@@ -10,6 +10,7 @@
 #include "shader/export.h"
 #include "command/options.h"
 #include "picture/texture.h"
+#include "report.h"
 #include "shader/parameter.h"
 #include "command/sequence.h"
 #include "shader/compile.h"
@@ -36,6 +37,9 @@ static void promise_report(bool done)
 {
     const char *said = capture_end();
     size_t length = strlen(said);
+    for (const char *at = said; *at != '\0';)
+        promise(report_next(&at, "\n") != 0xFFFD, "a message is harmless UTF-8");
+    promise(length <= 2000, "a message is short");
     if (done)
         promise(length == 0, "an accepted input causes no message");
     else

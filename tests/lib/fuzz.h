@@ -2,8 +2,8 @@
 // (tests/tools/fuzz.c), and tests/unit/corpus.c reads them from a folder.
 //
 // Each function prints the reason and ends the program if a promise of the tested header is broken.
-// One promise is that every refusal reports exactly one line, and every success none. The functions
-// need a scratch folder (scratch_make).
+// One promise is that every refusal reports exactly one line, short and harmless to a terminal, and
+// every success none. The functions need a scratch folder (scratch_make).
 #ifndef TESTS_FUZZ_H
 #define TESTS_FUZZ_H
 

@@ -15,11 +15,14 @@
 //       pictures.
 //
 // Exit status: 0 if the answer is right, 1 if it is wrong, 2 if it could not be judged.
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
+#include "platform.h"
 #include "report.h"
 #include "shader/text_file.h"
 #include "lib/compare.h"
@@ -60,15 +63,20 @@ static int judge_files(const char *with, char **path)
 static char *read_text(const char *path)
 {
     enum { MOST = 1 << 22 };
-    char why[TEXT_FILE_WHY] = "not enough memory";
+    char why[TEXT_FILE_WHY];
     FILE *file = text_file_open(path, why);
-    char *text = file != NULL ? malloc(MOST) : NULL;
-    if (text == NULL)
-        report("%s: cannot be read: %s", path, why);
-    else
-        text[fread(text, 1, MOST - 1, file)] = '\0';
-    if (file != NULL)
-        fclose(file);
+    if (file == NULL) {
+        report("%s: %s", path, why);
+        return NULL;
+    }
+    char *text = memory_zeros(MOST, 1);
+    fread(text, 1, MOST - 1, file);
+    if (ferror(file)) {
+        report("%s: cannot be read: %s", path, platform_why(errno));
+        free(text);
+        text = NULL;
+    }
+    fclose(file);
     return text;
 }
 
@@ -128,8 +136,7 @@ int main(int argc, char **argv)
         puts(judge_right(argc - 2, most));
         return RIGHT;
     }
-    fprintf(stderr,
-            "usage: judge picture WITH RIGHT.png MINE.png DIFFERENCE.png | rays WITH PIXELS "
-            "RIGHT MINE | ray PROBE | pixel X,Y PICTURE.png | right SHARE...\n");
+    report("usage: judge picture WITH RIGHT.png MINE.png DIFFERENCE.png | rays WITH PIXELS "
+           "RIGHT MINE | ray PROBE | pixel X,Y PICTURE.png | right SHARE...");
     return NOT_JUDGED;
 }

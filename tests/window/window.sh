@@ -141,16 +141,16 @@ left() {
     eventually find_window && shows ' - picture - ' && eventually focus && key 2 && shows ' - normals - '
 }
 check 'a window outlives the reader of its standard output' left
-check 'its status is 0, and it reports nothing' eval 'backspace && [ ! -s "$scratch/run/err" ]'
+silent() { backspace && [ ! -s "$scratch/run/err" ]; }
+check 'its status is 0, and it reports nothing' silent
 
 # fails PATTERN: the program ends with status 1 and one line that matches the pattern.
 fails() {
     eventually ended || return
     wait "$program"
-    [ $? = 1 ] && [ "$(grep -c '' "$scratch/run/err")" = 1 ] && grep -q -e "$1" "$scratch/run/err" || {
-        sed 's/^/# /' "$scratch/run/err"
-        return 1
-    }
+    [ "$? $(grep -c '' "$scratch/run/err")" = '1 1' ] && grep -q -e "$1" "$scratch/run/err" && return
+    sed 's/^/# /' "$scratch/run/err"
+    return 1
 }
 # shellcheck disable=SC2086 # the options are words
 start $chapter $still
