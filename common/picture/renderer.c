@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
 #include "report.h"
 
 // Each draw call covers one tile, which is so small that no draw call occupies a GPU for seconds.
@@ -306,8 +307,8 @@ static bool store(const struct renderer *renderer, const struct target *target, 
     size_t pixels = (size_t)target->width * (size_t)target->height;
     float *values = pixels > 0 ? malloc(4 * sizeof *values * pixels) : NULL;
     if (values == NULL)
-        return report("picture %dx%d: not enough memory: try a smaller --size", image->width,
-                      image->height);
+        return report("picture %dx%d: not enough memory: try a smaller --size%s", image->width,
+                      image->height, memory_limit());
     target_read(target, renderer->gl, values);
     image_store(image, values, bottom, target->height);
     free(values);
