@@ -61,6 +61,15 @@ export class Stage {
         return button;
     }
 
+    // A button, on a narrow page, that opens or closes a fold. A narrow page does not show a closed fold, so the button
+    // then gets the focus.
+    unfolds(text, {element}) {
+        const button = this.toggle(text, () => { element.open = !element.open; return element.open; });
+        element.addEventListener('toggle', () => button.setAttribute('aria-expanded', element.open));
+        element.firstElementChild.addEventListener('click', () => { if (this.narrow.matches && element.open) button.focus({preventScroll: true}); });
+        return button;
+    }
+
     build() {
         const {part} = this;
         this.canvas = part('canvas', {className: 'live-canvas', tabIndex: 0});
@@ -87,10 +96,10 @@ export class Stage {
         this.changes = new Changes(this);
         this.values = new Values(this);
         this.ray = new Ray(this);
-        const flips = (name) => () => this.controls.classList.toggle(name), unfolds = ({element}) => () => { element.open = !element.open; return element.open; };
+        const flips = (name) => () => this.controls.classList.toggle(name);
         this.bar = part('div', {className: 'live-bar'}, this.views,
             this.clock = part('span', {className: 'live-clock'}, this.pause, this.icon('Restart', () => this.press(RESTART)), this.back, this.undo, part('label', {}, this.time, ' s'), this.still),
-            part('span', {className: 'live-tools'}, this.viewer = this.toggle('Views', flips('live-more')), this.toggle('Values', unfolds(this.values)), this.rays = this.toggle('Ray', unfolds(this.ray)), this.mover = this.toggle('Move', flips('live-moves')),
+            part('span', {className: 'live-tools'}, this.viewer = this.toggle('Views', flips('live-more')), this.unfolds('Values', this.values), this.rays = this.unfolds('Ray', this.ray), this.mover = this.toggle('Move', flips('live-moves')),
                 this.changes.open, this.icon('Full screen', () => this.full(), {className: 'live-full'}), this.icon('Close', () => this.close())));
         this.bar.setAttribute('role', 'toolbar');
         this.bar.setAttribute('aria-label', 'The program');
