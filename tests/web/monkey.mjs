@@ -113,7 +113,7 @@ function inPage() {
     }
     const stage = () => [...document.querySelectorAll('live-chapter')].map((one) => one.stage).find(Boolean);
     const read = (start) => { const key = Object.keys(localStorage).find((one) => one.startsWith(`ray marching: ${start}`)); return JSON.parse(localStorage.getItem(key)) ?? {}; };
-    const editor = () => { const one = stage()?.changes.editor; return one?.name ? {name: one.name, text: one.text(), waits: one.waits, focused: one.view.hasFocus} : null; };
+    const editor = () => { const one = stage()?.changes.editor; return one?.name ? {name: one.name, text: one.text(), waits: one.waits} : null; };
     const contexts = [], own = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
         const made = own.call(this, kind, ...more);
@@ -147,7 +147,7 @@ function inPage() {
         //   keys  is the event one of the keyboard?
         allowed(at, keys) {
             const one = at ? document.querySelector(at) : document.activeElement, button = one?.closest('button'), now = editor(), all = [];
-            if (keys && now?.focused) all.push(`text ${now.name}`);
+            if (now && one?.closest('.cm-editor')) all.push(`text ${now.name}`); // also the editor's panel for search and replace
             if (button && RESETS.test(button.textContent)) all.push(...Object.keys(read('changes')).map((name) => `text ${name}`), ...now ? [`text ${now.name}`] : []);
             const name = /^(Delete|Undo: restore) (.*)$/.exec(button?.ariaLabel ?? '');
             if (name) all.push(`${name[1] === 'Delete' ? 'delete' : 'restore'} ${name[2]}`);
