@@ -26,6 +26,7 @@ git ls-files --error-unmatch Makefile >/dev/null 2>&1 || fail 2 'make student co
 if [ ! -e "$stored/begun" ] || [ -n "$(find chapters shaders common tests/course/checks.txt tests/pictures/images.txt -newer "$stored/begun" | head -n 1)" ]; then
     rm -rf "$stored" && mkdir -p "$stored" && touch "$stored/begun"
 fi
+sweep "$stored"
 left=()
 for exercise in ${EXERCISES:-$(exercises) $(engine_exercises)}; do
     [ -e "$stored/$exercise/text" ] || left+=("$exercise") # the file that is stored last

@@ -3,8 +3,8 @@
 # is the old one or the new one, whole, and that nothing else is left: no file, no process. A moment is the start of a
 # tool, or the middle of a result, so that no clock decides. It also tests what `make clean` leaves.
 #
-# Environment: CI or ALL, to interrupt all commands, at ten moments more with each signal; EVERY=1 with them, at every
-# moment, which takes an hour.
+# Environment: CI, to interrupt all commands, at three moments more with each signal, or ALL, at ten; EVERY=1 with them,
+# at every moment, which takes an hour.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -43,9 +43,10 @@ whole() {
         }
     done
 }
-# The pictures in stored/ are drawn again whenever a shader changes, also if a run was interrupted.
+# The pictures in stored/ are drawn again whenever a shader changes, also if a run was interrupted. While `make student`
+# replaces files, its list `written` has those of both versions.
 sums_of() {
-    (cd "$1" && find . \( -name '.ray-marching.*' -o -path ./.git -o -path ./build/student/stored \) -prune -o -type f -exec cksum {} + | LC_ALL=C sort)
+    (cd "$1" && find . \( -name '.ray-marching.*' -o -path ./.git -o -path ./build/student/stored -o -path ./build/student/written \) -prune -o -type f -exec cksum {} + | LC_ALL=C sort)
 }
 # every_file: each file of the project is that of $scratch/before or that of $scratch/new.
 every_file() {
@@ -124,7 +125,8 @@ each_moment() {
     local wholes=$1 i signal steps=0
     shift
     interrupt "$wholes" INT $((last / 2)) "$@" && interrupt "$wholes" TERM $first "$@" && interrupt "$wholes" KILL $((first + 1)) "$@" || return
-    [ -z "${CI-}${ALL-}" ] || steps=10
+    [ -z "${CI-}" ] || steps=3
+    [ -z "${ALL-}" ] || steps=10
     [ -z "${EVERY-}" ] || steps=$last
     for ((i = 1; i <= steps; i++)); do
         for signal in INT TERM KILL; do
