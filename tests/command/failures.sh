@@ -236,9 +236,7 @@ for action in --list --help --print-shader --version '--probe 3,3'; do
     refuse "a full disk for the output of $action" 1 'standard output' to_full "${small[@]}" $action
 done
 to_closed() { "$chapter" "$@" >&-; }
-closed='standard output: is closed'
-windows && closed='standard output: cannot be written' # Windows does not distinguish a closed output from a full disk
-refuse 'a closed standard output of --list' 1 "$closed" to_closed --list
+refuse 'a closed standard output of --list' 1 'standard output: is closed' to_closed --list
 # If the reader of a pipe has exited, as `head` does, the program prints no message, and its status is 1. SIGPIPE, which
 # would end the program, is ignored here, so that the program behaves as on Windows, which has no such signal.
 mkfifo "$scratch/left"
