@@ -148,7 +148,7 @@ function inPage() {
         allowed(at, keys) {
             const one = at ? document.querySelector(at) : document.activeElement, button = one?.closest('button'), now = editor(), all = [];
             if (now && one?.closest('.cm-editor')) all.push(`text ${now.name}`); // also the editor's panel for search and replace
-            if (button && RESETS.test(button.textContent)) all.push(...Object.keys(read('changes')).map((name) => `text ${name}`), ...now ? [`text ${now.name}`] : []);
+            if (button && RESETS.test(button.textContent)) for (const name of [...Object.keys(read('changes')), ...now ? [now.name] : []]) all.push(`reset ${name}`);
             const name = /^(Delete|Undo: restore) (.*)$/.exec(button?.ariaLabel ?? '');
             if (name) all.push(`${name[1] === 'Delete' ? 'delete' : 'restore'} ${name[2]}`);
             const open = document.querySelector('.draft[aria-current=true]')?.textContent.replaceAll(' ', '_');
@@ -204,11 +204,18 @@ function originalOf(name, drafts) {
     return fs.existsSync(file) ? fs.readFileSync(file, 'utf8') : undefined;
 }
 
+// Where two texts differ.
+function differ(a = '', b = '') {
+    let from = 0;
+    while (from < a.length && a[from] === b[from]) from++;
+    return JSON.stringify([a, b].map((text) => `${text.length} characters: ${text.slice(from, from + 40)}`));
+}
+
 // Compare what a page reports with what it reported before. Returns what is wrong, or ''.
 //   before  {now: the last report, may: what events since then may have changed, left: the editor of a page that was
 //           left, key: the button that a key pressed}
 function complaint(now, before) {
-    const {now: old, may, left} = before, has = (what) => may.has(what);
+    const {now: old, may, left} = before, has = (what) => may.has(what), typed = (name) => has(`text ${name}`) || has(`reset ${name}`);
     if (now.unfocused) return `the focus is not visible: ${now.unfocused}`;
     if (now.wide) return `the page is too wide: ${now.wide}`;
     if (before.key && now.doc === before.doc && now.body) return `a key took the focus away: ${before.key}`;
@@ -221,10 +228,10 @@ function complaint(now, before) {
         const text = textOf(old, file(name)), same = now.drafts[name];
         if (!same && !draft.deleted && !(has(`rename ${name}`) && Object.keys(now.drafts).some((one) => textOf(now, file(one)) === text))) return `a draft is gone: ${name}`;
         if (same?.deleted && !draft.deleted && !has(`delete ${name}`)) return `a draft is deleted: ${name}`;
-        if (same && textOf(now, file(name)) !== text && !has(`text ${file(name)}`)) return `the text of a draft has changed: ${name}`;
+        if (same && textOf(now, file(name)) !== text && !typed(file(name))) return `the text of a draft has changed: ${name}: ${differ(text, textOf(now, file(name)))}`;
     }
     for (const [name, text] of Object.entries(old.changes)) {
-        if (now.changes[name] !== text && !has(`text ${name}`) && !Object.keys(old.drafts).some((one) => file(one) === name)) return `a changed text is replaced: ${name}`;
+        if (textOf(now, name) !== text && !typed(name) && !Object.keys(old.drafts).some((one) => file(one) === name)) return `a changed text is replaced: ${name}: ${differ(text, textOf(now, name))}`;
     }
     return '';
 }
@@ -287,7 +294,7 @@ async function play(browser, server, source) {
         else await page.mouse.move(held.x + dx, held.y + dy, {steps: 2});
     }
     const verbs = {
-        look: () => {}, focus: (at) => ask('focus', at.path), press, move, release,
+        look: async () => {}, focus: (at) => ask('focus', at.path), press, move, release,
         tap: async (at) => { await press(at); await release(); },
         double: async (at) => { await press(at); await release(); await press(at); await release(); },
         pinch: async (at, factor, dx, dy) => {
@@ -342,7 +349,7 @@ async function play(browser, server, source) {
         for (const one of all) before.may.add(one);
         if (before.doc === doc || !before.doc) Object.assign(before, {doc, editor});
         before.key = verb === 'key' && /^(Enter|Space)$/.test(values[0]) ? key : verb === 'look' || verb === 'wait' ? before.key : '';
-        await verbs[verb](...values);
+        await verbs[verb](...values).catch((error) => { if (!/ERR_ABORTED|interrupted by another navigation/.test(error.message)) throw error; }); // a link was faster
         if (keys) for (const one of (await ask('allowed', undefined, true)).all) if (one.startsWith('text')) before.may.add(one); // the editor has just taken the focus
     }
     async function look() {
@@ -351,7 +358,7 @@ async function play(browser, server, source) {
         const wrong = complaint(now, before) || said[0] || '';
         const settled = (name) => now.editor?.name === name && !now.editor.waits;
         Object.assign(before, {now, doc: now.doc, editor: now.editor, left: null, key: ''});
-        before.may = new Set([...before.may].filter((what) => what.startsWith('rename') || what.startsWith('text') && !settled(what.slice(5))));
+        before.may = new Set([...before.may].filter((what) => /^(rename|reset) /.test(what) || what.startsWith('text ') && !settled(what.slice(5)))); // what loads a file first comes later
         return wrong;
     }
     // At the end, Undo restores each deleted draft, and the page's memory and graphics contexts are freed.
