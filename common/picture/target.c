@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "report.h"
-#include "shader/compile.h"
+#include "shader/program.h"
 
 const char target_vertex[] = GL_GLSL
     "void main()\n"

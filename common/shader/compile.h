@@ -6,6 +6,7 @@
 #include "context/gl.h"
 #include "shader/dialect.h"
 #include "shader/inputs.h"
+#include "shader/program.h"
 #include "shader/source.h"
 
 // The text to compile: the prelude of dialect.h, then the expanded text, translated if necessary.
@@ -24,24 +25,6 @@ GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
 // to wait. Only a few programs can be in progress at a time; beyond that, the call does nothing.
 void shader_begin(const struct gl *gl, const struct shader_source *vertex,
                   const struct shader_source *fragment, enum shader_view view);
-
-// True if no program that was begun is still being compiled. Always true without
-// KHR_parallel_shader_compile.
-bool shader_ready(const struct gl *gl);
-
-// Delete the programs that were begun but not used by shader_link.
-void shader_forget(const struct gl *gl);
-
-// The steps that produce a linked program.
-enum shader_step { SHADER_COMPILE_VERTEX, SHADER_COMPILE_FRAGMENT, SHADER_LINK };
-
-// Compile and link two texts unchanged.
-//   step  receives the step that failed, or SHADER_LINK
-//   log   receives the driver's log of the step that failed, or NULL if there is none; the caller
-//         frees the log
-// Returns the program, owned by the caller, or 0 without reporting an error.
-GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fragment,
-                         enum shader_step *step, char **log);
 
 // Rewrite a driver's log with the author's files and lines, for the text that shader_text returned
 // for this source and view. A line of the log may begin as in Mesa, "0:12(3): ", as in NVIDIA's

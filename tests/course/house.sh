@@ -88,6 +88,33 @@ check_empty 'no object needs a symbol from a higher folder' "$scratch/up"
 tsort "$scratch/calls" >/dev/null 2>"$scratch/circle"
 check_empty 'the calls between the objects form no cycle' "$scratch/circle"
 
+# How far a module reaches: the objects that a program which calls it must link, itself included.
+reach_of() {
+    awk -v first="common/$1" '
+        { calls[$1] = calls[$1] " " $2 }
+        END {
+            list[n = 1] = first
+            seen[first] = 1
+            for (i = 1; i <= n; i++)
+                for (k = split(calls[list[i]], to, " "); k > 0; k--)
+                    if (!seen[to[k]]++)
+                        list[++n] = to[k]
+            for (i = 1; i <= n; i++)
+                print list[i]
+        }' "$2"
+}
+
+# check_reach MODULE OBJECTS: links at most so many.
+check_reach() {
+    reach_of "$1" "$scratch/calls" >"$scratch/reach"
+    check "$1 needs at most $2 objects" [ "$(wc -l <"$scratch/reach")" -le "$2" ] || sed 's/^/# /' "$scratch/reach"
+}
+
+printf 'common/%s common/%s\n' a b b c b a d a >"$scratch/few"
+check 'the objects that a module needs are counted' [ "$(reach_of a "$scratch/few" | wc -l)" = 3 ]
+check_reach picture/target 6
+check_reach picture/overlay 9
+
 # ---- Systems ----
 
 # Code for one operating system is in common/platform/. There is one exception: the backend osmesa includes <dlfcn.h>.
