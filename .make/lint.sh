@@ -53,7 +53,8 @@ check_shell() {
 }
 
 # Check expanded shaders as desktop OpenGL and, if they must run in a browser, as ES: once for each view, or once in all
-# if the shader does not distinguish the views. Line 1 is #version; line 2 sets VIEW in the course's own dialect.
+# if the shader does not distinguish the views. In the course's own dialect, line 1 is #version, and the names of all
+# views and VIEW, which is one of them, follow.
 check_glsl() {
     local es variants=()
     for file in "${sources[@]}"; do
@@ -61,13 +62,14 @@ check_glsl() {
         case $file in */experiments-* | */solutions-* | */first_steps-engine_*) es=0 ;; *) es=1 ;; esac
         read -r -a variants <<<"${variants[*]-} $(awk -v name="${file%.frag}" -v es=$es '
             { line[NR] = $0 }
-            NR == 2 { own = /^#define VIEW / }
-            NR > 2 && /VIEW/ { distinguishes = 1 }
+            NR == names + 2 && /^#define VIEW_[A-Z]+ [0-9]+$/ { view_name[names++] = $2; next }
+            NR == names + 2 && $2 == "VIEW" { own = NR; next }
+            !/^#define VIEW/ && /VIEW/ { distinguishes = 1 }
             END {
-                for (view = 0; view < (own && distinguishes ? 11 : 1); view++)
+                for (view = 0; view < (own && distinguishes ? names : 1); view++)
                     for (dialect = 0; dialect <= es; dialect++) {
                         if (own)
-                            line[2] = "#define VIEW " view
+                            line[own] = "#define VIEW " view_name[view]
                         out = name "." view (dialect ? ".es" : ".330") ".frag"
                         if (dialect)
                             print "#version 300 es\nprecision highp float;\nprecision highp int;\n" \

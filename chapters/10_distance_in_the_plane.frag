@@ -45,14 +45,14 @@ vec2 sheetStep(vec2 p, vec3 move, float away)
 
 // All rays lie in the sheet. The picture, the probe, the slice view and the plot use one ray for all
 // pixels, through aim. In the views of the normals, the depth and the steps, each pixel has a ray
-// through the point that it shows. Only VIEW 9, which finds the handles in the picture, needs the
-// rays from the eye.
+// through the point that it shows. Only VIEW_POSITIONS, which finds the handles in the picture,
+// needs the rays from the eye.
 Ray pixelRay(vec2 screen)
 {
-#if VIEW == 9
+#if VIEW == VIEW_POSITIONS
     return perspectiveRay(screen);
 #else
-    vec2 way = (VIEW >= 1 && VIEW <= 3 ? planePoint(screen) : aim) - rayStart;
+    vec2 way = (VIEW_OF_TRACE ? planePoint(screen) : aim) - rayStart;
     return Ray(vec3(rayStart, 0.0), normalize(vec3(way + 1e-7, 0.0)));
 #endif
 }
@@ -186,11 +186,11 @@ vec3 marchColour(vec3 light, vec2 p, vec2 right, vec2 up, Ray ray)
 
 vec3 rayColour(Ray ray)
 {
-#if VIEW >= 1 && VIEW <= 6
+#if VIEW_OF_TRACE || VIEW == VIEW_SLICE || VIEW == VIEW_PLOT || VIEW == VIEW_PROBE
     Hit hit = march(ray, 0.0, FAR, hitThreshold, maxSteps);
-    if (VIEW == 2) // the greys of the depth view change most around 6 units, so scale the sheet by 4
+    if (VIEW == VIEW_DEPTH) // the greys of the depth view change most around 6 units, so scale the sheet by 4
         traceMarch(trace.steps, 4.0 * hit.t, trace.end);
-    if (VIEW < 4 && hit.found)
+    if (VIEW_OF_TRACE && hit.found)
         normalAt(ray.origin + hit.t * ray.direction, hitThreshold);
     return PAPER;
 #else

@@ -195,10 +195,10 @@ vec3 rayColour(Ray ray)
     float fraction = (float(iPixel.x) + 0.5) / iResolution.x;
     Hit hit = marchPier(ray, ground, fraction >= divider);
     int steps = trace.steps;
-    if ((VIEW == 1 || VIEW == 2) && trace.end == END_PASSED && ground < far) { // normals and depth: include the water
+    if ((VIEW == VIEW_NORMALS || VIEW == VIEW_DEPTH) && trace.end == END_PASSED && ground < far) { // normals and depth: include the water
         traceNormal(vec3(0.0, 1.0, 0.0));
         traceMarch(steps, ground, END_HIT);
     }
-    bool sunny = lit || VIEW == 1; // sceneLight computes the normals for their view
+    bool sunny = lit || VIEW == VIEW_NORMALS; // sceneLight computes the normals for their view
     return sunny ? encodeSRGB(sceneLight(ray, hit, ground)) : stepColour(steps);
 }

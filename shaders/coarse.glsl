@@ -1,7 +1,7 @@
 // coarse.glsl - the coarse pass: one march per block of 8 x 8 pixels finds a distance before which no ray of
 // the block meets anything.
 //
-// Before each picture the harness marches a cone for each block (VIEW 8), and the rays of the block's pixels
+// Before each picture the harness marches a cone for each block (VIEW_COARSE), and the rays of the block's pixels
 // begin where that march ended. The pass runs only in programs that call coarseStart.
 //
 // The pass loses nothing, for the following reason. The ball of radius r(t) = radius + t spread around the axis at t
@@ -59,7 +59,7 @@ float coarseStart(Ray ray)
 }
 
 // Compiled only for the coarse pass.
-#if VIEW == 8
+#if VIEW == VIEW_COARSE
 
 const int   COARSE_STEPS = 64;    // limit on the steps of a block's march
 const float COARSE_FAR = 100.0;   // where the march ends at the latest, scene units

@@ -1,10 +1,11 @@
 // main.glsl - main(): runs the chapter's pixelRay and rayColour, then shows the colour or the contents of
 // the trace.
 //
-// The harness sets VIEW: 0 the picture, 1 normals, 2 depth, 3 steps, 4 a slice, 5 a slice with a plot below it,
-// 6 the numbers of a probe, 7 the evaluations of the scene and the least number of evaluations that the march would
-// have needed, 8 the coarse pass of coarse.glsl, one pixel per block of the picture, 9 the positions of points in
-// the picture, 10 where a camera that moves comes to rest.
+// The harness defines VIEW as one of these names: VIEW_PICTURE; VIEW_NORMALS, VIEW_DEPTH and VIEW_STEPS, which show
+// what each pixel's march has recorded (for them alone, VIEW_OF_TRACE is true); VIEW_SLICE and VIEW_PLOT, the
+// march of one ray; VIEW_PROBE, the same as numbers; VIEW_EVALUATIONS, those of the scene and the least number of
+// evaluations that the march would have needed; VIEW_COARSE, the pass of coarse.glsl, one pixel per block of the
+// picture; VIEW_POSITIONS, of points in the picture; VIEW_ROOM, where a camera that moves comes to rest.
 
 #include "cover.glsl"
 #include "inputs.glsl"
@@ -17,13 +18,13 @@
 
 out vec4 fragColour;
 
-#if VIEW == 4 || VIEW == 5
+#if VIEW == VIEW_SLICE || VIEW == VIEW_PLOT
 
 void main()
 {
     iPixel = ivec2(floor(iMarchPixel));
     vec2 pixel = gl_FragCoord.xy + iPixelOffset;
-#if VIEW == 4
+#if VIEW == VIEW_SLICE
     vec3 colour = sliceView(pixel);
 #else
     vec3 colour = plotView(pixel);
@@ -31,7 +32,7 @@ void main()
     fragColour = vec4(clamp(colour, 0.0, 1.0), 1.0);
 }
 
-#elif VIEW == 6
+#elif VIEW == VIEW_PROBE
 
 uniform vec2 iProbe; // centre of the pixel whose ray is marched, in pixels
 
@@ -54,7 +55,7 @@ void main()
         fragColour = vec4(float(trace.allSteps), float(trace.evaluations), trace.interval);
 }
 
-#elif VIEW == 8
+#elif VIEW == VIEW_COARSE
 
 vec2 coarseBlock(ivec2 block);
 
@@ -64,14 +65,14 @@ void main()
     fragColour = vec4(coarseBlock(ivec2(gl_FragCoord.xy)), 0.0, 1.0);
 }
 
-#elif VIEW == 9
+#elif VIEW == VIEW_POSITIONS
 
 void main()
 {
     fragColour = projectedPixel(projectedPoint(int(gl_FragCoord.x)));
 }
 
-#elif VIEW == 10
+#elif VIEW == VIEW_ROOM
 
 void main()
 {
@@ -89,14 +90,10 @@ void main()
     iPixel = ivec2(floor(pixel));
     Ray ray = pixelRay(screenPosition(pixel));
     vec3 colour = rayColour(ray);
-#if VIEW == 1
-    colour = normalView();
-#elif VIEW == 2
-    colour = depthView();
-#elif VIEW == 3
-    colour = stepView(pixel);
+#if VIEW_OF_TRACE
+    colour = traceView(pixel);
 #endif
-#if VIEW == 7
+#if VIEW == VIEW_EVALUATIONS
     // The evaluations of the scene; for pixels on the grid of cover.glsl, also the steps that the first march took and
     // the evaluations that would have been enough, both of which are 0 elsewhere.
     bool looked = onCoverGrid(pixel);

@@ -10,7 +10,7 @@
 #include "slice.glsl"
 
 // Compiled only for the plot.
-#if VIEW == 5
+#if VIEW == VIEW_PLOT
 
 uniform vec3 iPlotFrame;      // the picture's row of distance 0; distance per pixel; the slice's lowest row
 uniform float iPlotTick;      // distance between ticks, 1, 2 or 5 times a power of ten

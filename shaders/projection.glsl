@@ -3,7 +3,7 @@
 #include "scene.glsl"
 
 // Compiled only for the program that finds the positions of points.
-#if VIEW == 9
+#if VIEW == VIEW_POSITIONS
 
 const int HANDLE_POINTS = 24;
 

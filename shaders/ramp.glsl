@@ -1,7 +1,7 @@
 // ramp.glsl - an ordered scale of colours that shows a number at each pixel.
 
 // Compiled only with views.glsl, and in an exported file, which has no views.
-#if !defined(VIEW) || (VIEW >= 1 && VIEW <= 3)
+#if !defined(VIEW) || VIEW_OF_TRACE
 
 // Colours, encoded for the screen, from night blue through teal and green to yellow. The lightness
 // L of OKLab rises linearly from 0.17 to 0.95 while the hue turns from 285 to 105 degrees: equal

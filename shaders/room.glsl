@@ -8,7 +8,7 @@
 float cameraRoom(vec3 p);
 
 // Compiled only for the program that moves the camera.
-#if VIEW == 10
+#if VIEW == VIEW_ROOM
 
 uniform vec3 iCameraTo; // where the camera is going, scene units
 

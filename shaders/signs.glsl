@@ -1,7 +1,7 @@
 // signs.glsl - numbers and words in a picture, on a grid of square cells: a digit is 5 cells high.
 
 // Compiled only with the files that write text.
-#if (VIEW >= 1 && VIEW <= 5) || defined(FIGURE)
+#if VIEW_OF_TRACE || VIEW == VIEW_SLICE || VIEW == VIEW_PLOT || defined(FIGURE)
 
 // The coverage of each sign's pixels, from a font (common/picture/axis_labels.c). A row is 8 cells high, and the
 // baseline of its signs is 2 cells above its lower end. Row 0 contains the digits, the point and the minus, each in the

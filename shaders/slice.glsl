@@ -8,7 +8,7 @@
 #include "scene.glsl"
 
 // Compiled only for the slice, and for the plot, which shows the slice above the graph.
-#if VIEW == 4 || VIEW == 5
+#if VIEW == VIEW_SLICE || VIEW == VIEW_PLOT
 
 uniform sampler2D iMarch;      // column k: t and distance of step k, as a probe wrote them
 uniform int   iMarchSteps;     // number of columns that contain a step

@@ -4,8 +4,8 @@
 #include "inputs.glsl"
 #include "scene.glsl"
 
-// Compiled only for one of these views.
-#if VIEW >= 1 && VIEW <= 3
+// Compiled only for these views.
+#if VIEW_OF_TRACE
 
 // The colour of a ray along which nothing was found.
 const vec3 VIEW_NOTHING = vec3(0.09, 0.10, 0.13);
@@ -53,6 +53,19 @@ vec3 stepView(vec2 pixel)
 {
     float share = min(float(trace.allSteps) / STEPS_SHOWN, 1.0);
     return stepLegend(evenRamp(share), pixel);
+}
+
+// The view that VIEW names.
+//   pixel  in pixels of the picture
+vec3 traceView(vec2 pixel)
+{
+#if VIEW == VIEW_NORMALS
+    return normalView();
+#elif VIEW == VIEW_DEPTH
+    return depthView();
+#else
+    return stepView(pixel);
+#endif
 }
 
 #endif

@@ -11,7 +11,7 @@ vec3 rayColour(Ray ray)
 {
     vec3 colour = chapterRayColour(ray);
     float t = 0.0;
-    while (VIEW == 6 && fixedStep > 0.0 && t < FAR && distanceAt(ray.origin + t * ray.direction) > 0.0)
+    while (VIEW == VIEW_PROBE && fixedStep > 0.0 && t < FAR && distanceAt(ray.origin + t * ray.direction) > 0.0)
         t += fixedStep;
     return colour;
 }

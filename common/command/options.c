@@ -166,7 +166,7 @@ static bool complete(struct options *options)
                "with --step walk");
     else if (film && fabs(options->time) + options->frames / options->fps > OPTIONS_LIMIT)
         report("--frames: the last time must be between -1e9 and 1e9 seconds");
-    else if (options->shadertoy && options->view != SHADER_PICTURE)
+    else if (options->shadertoy && options->view != VIEW_PICTURE)
         report("--print-shader=shadertoy: cannot be combined with --view %s: only the picture view "
                "runs on Shadertoy",
                shader_view_name(options->view));

@@ -276,6 +276,8 @@ static bool set_print_shader(struct options *options, const char *text)
            refuse("print-shader", text, "must be shadertoy, or be omitted");
 }
 
+#define VIEW_WORD(id, kind, name) " " name
+
 const struct options_row options_rows[] = {
     {"-o,", "output", " FILE.png", set_output, OPTIONS_RUN,
      "write the picture to a file, without a window", ""},
@@ -293,8 +295,7 @@ const struct options_row options_rows[] = {
     {"-c,", "camera", " X,Y,Z,PAN,TILT", set_camera, OPTIONS_RUN,
      "position in scene units and direction in degrees", "the chapter's own"},
     {"-a,", "samples", " N", set_samples, OPTIONS_RUN, "N x N samples per pixel, 1 to 8", "1"},
-    {"-v,", "view", " NAME", set_view, OPTIONS_RUN, "picture, normals, depth, steps, slice or plot",
-     "picture"},
+    {"-v,", "view", " NAME", set_view, OPTIONS_RUN, "one of" SHADER_VIEWS(VIEW_WORD), "picture"},
     {"", "probe", " X,Y", set_probe, OPTIONS_RUN,
      "print a pixel's march and colour, 0,0 bottom left; repeatable", ""},
     {"", "step", " K|walk", set_step, OPTIONS_RUN,

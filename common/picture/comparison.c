@@ -202,7 +202,7 @@ float comparison_write(const struct renderer *renderer, struct overlay *overlay,
     if (comparison == NULL)
         return bottom;
     float width = pen_picture_width(overlay);
-    if (renderer->view == SHADER_PLOT) // keep the labels above the plot's graph
+    if (renderer->view == VIEW_PLOT) // keep the labels above the plot's graph
         bottom = fminf(bottom, (1.0f - SLICE_PLOT) * pen_picture_height(overlay) - PEN_MARGIN);
     float at = (float)renderer_split(renderer, overlay->width) / overlay->scale;
     float label = bottom - (OVERLAY_LINE - 2.0f) - 2.0f * PEN_PADDING;

@@ -46,10 +46,10 @@ static bool find_pixels(struct renderer *renderer, const struct renderer_inputs 
                         const float *point, float *pixel)
 {
     const struct gl *gl = renderer->gl;
-    if (!renderer_link(renderer, SHADER_PROJECTION) ||
+    if (!renderer_link(renderer, VIEW_POSITIONS) ||
         !target_bind(&renderer->points, gl, POINTS * HANDLES_MOST, 1))
         return false;
-    renderer_use(renderer, inputs, SHADER_PROJECTION);
+    renderer_use(renderer, inputs, VIEW_POSITIONS);
     gl->Uniform1i(renderer->used[UNIFORM_iHandlePoints], count);
     gl->Uniform3fv(renderer->used[UNIFORM_iHandlePoint], count, point);
     renderer_clear(gl);

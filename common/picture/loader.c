@@ -15,7 +15,7 @@ void loader_begin(const struct loader *loader)
     const struct renderer *renderer = &loader->renderer;
     shader_begin(renderer->gl, &renderer->vertex, &loader->source, renderer->view);
     if (glsl_mentions(&loader->source.code, "coarseStart") > 0)
-        shader_begin(renderer->gl, &renderer->vertex, &loader->source, SHADER_COARSE);
+        shader_begin(renderer->gl, &renderer->vertex, &loader->source, VIEW_COARSE);
 }
 
 bool loader_compile(struct loader *loader)

@@ -112,7 +112,7 @@ static float write_caption(const struct panel *panel, struct overlay *overlay)
 {
     float bottom = pen_foot(overlay, panel->renderer->view), limit = widest_text(overlay);
     float widest = 0.0f, lines = 0.0f;
-    if (panel->renderer->view == SHADER_STEPS)
+    if (panel->renderer->view == VIEW_STEPS)
         bottom -= LEGEND * slice_cell(overlay->height) / overlay->scale;
     char line[OVERLAY_TEXT + 1];
     if (panel->caption == NULL || panel->caption[0] == '\0')
@@ -190,7 +190,7 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
     bool refused = panel->pixel[0] >= 0 && !marched && panel->why != NULL;
     enum shader_view view = panel->renderer->view;
     // No panel may cover a slice's ray, which is in the middle of the slice's part of the picture.
-    float middle = (view == SHADER_PLOT ? 0.5f + 0.5f * SLICE_PLOT : 0.5f) * (float)height, ray[2];
+    float middle = (view == VIEW_PLOT ? 0.5f + 0.5f * SLICE_PLOT : 0.5f) * (float)height, ray[2];
     inspector_ray(overlay, middle, ray);
     float above = shader_shows_ray(view) ? ray[1] : BELOW_TITLE;
     float bottom = comparison_write(

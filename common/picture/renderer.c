@@ -183,7 +183,7 @@ static void set_labels(struct renderer *renderer, const struct renderer_inputs *
 {
     const struct gl *gl = renderer->gl;
     int unit = 1 + renderer->textures.count, cell = (int)slice_cell(inputs->height);
-    if (renderer->view == SHADER_PICTURE)
+    if (renderer->view == VIEW_PICTURE)
         cell = (int)fmaxf((float)cell, roundf(inputs->digits / AXIS_LABELS_DIGIT));
     if (!renderer_reads(renderer, renderer->view, UNIFORM_iSigns))
         return;
@@ -359,9 +359,9 @@ static bool colour_pixel(struct renderer *renderer, const struct renderer_inputs
     float value[4];
     enum shader_view view = renderer->view;
     if (shader_shows_ray(view)) {
-        if (!renderer_link(renderer, SHADER_PICTURE))
+        if (!renderer_link(renderer, VIEW_PICTURE))
             return false;
-        renderer->view = SHADER_PICTURE;
+        renderer->view = VIEW_PICTURE;
     }
     bool done = draw_part(renderer, inputs, &part);
     renderer->view = view;

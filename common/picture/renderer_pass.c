@@ -45,9 +45,9 @@ bool renderer_link(struct renderer *renderer, enum shader_view view)
             return false;
         renderer->location[view] = locate(renderer, *program);
     }
-    return (!shader_shows_ray(view) || renderer_link(renderer, SHADER_PROBE)) &&
+    return (!shader_shows_ray(view) || renderer_link(renderer, VIEW_PROBE)) &&
            (!renderer_reads(renderer, view, UNIFORM_iCoarse) ||
-            renderer_link(renderer, SHADER_COARSE));
+            renderer_link(renderer, VIEW_COARSE));
 }
 
 void renderer_unlink(struct renderer *renderer)
@@ -222,7 +222,7 @@ bool renderer_run_coarse(struct renderer *renderer, const struct renderer_inputs
         return true;
     if (!target_bind(&renderer->coarse, gl, blocks(inputs->width), blocks(inputs->height)))
         return false;
-    renderer_use(renderer, inputs, SHADER_COARSE);
+    renderer_use(renderer, inputs, VIEW_COARSE);
     renderer_clear(gl);
     renderer_fill(renderer, &renderer->coarse, left, bottom, blocks(high[0]) - left,
                   blocks(high[1]) - bottom);

@@ -60,11 +60,11 @@ bool renderer_march(struct renderer *renderer, const struct renderer_inputs *inp
     const struct gl *gl = renderer->gl;
     const int low[2] = {x, y}, high[2] = {x + 1, y + 1};
     struct target *table = &renderer->table;
-    if (!renderer_link(renderer, SHADER_PROBE) || !renderer_sculpt(renderer, inputs) ||
-        !renderer_run_coarse(renderer, inputs, SHADER_PROBE, low, high) ||
+    if (!renderer_link(renderer, VIEW_PROBE) || !renderer_sculpt(renderer, inputs) ||
+        !renderer_run_coarse(renderer, inputs, VIEW_PROBE, low, high) ||
         !target_bind(table, gl, PROBE_STEPS, PROBE_ROWS))
         return false;
-    renderer_use(renderer, inputs, SHADER_PROBE);
+    renderer_use(renderer, inputs, VIEW_PROBE);
     gl->Uniform2f(renderer->used[UNIFORM_iProbe], (float)x + 0.5f, (float)y + 0.5f);
     renderer_clear(gl);
     renderer_fill(renderer, table, 0, 0, FIRST_COLUMNS, PROBE_ROWS);
@@ -88,7 +88,7 @@ bool renderer_march_selected(struct renderer *renderer, struct renderer *beside,
         march->pixel[i] = inputs->pixel[i] < 0 ? size[i] / 2 : inputs->pixel[i];
     int x = march->pixel[0], y = march->pixel[1];
     struct probe *probe = memory_zeros(2, sizeof *probe);
-    bool plots = renderer->view == SHADER_PLOT;
+    bool plots = renderer->view == VIEW_PLOT;
     bool done = (!plots || beside == NULL || renderer_march(beside, &from, x, y, &probe[1])) &&
                 renderer_march(renderer, &from, x, y, probe);
     if (done) {
@@ -149,9 +149,9 @@ static bool find_steps(struct renderer *renderer, const struct renderer_inputs *
 {
     const struct gl *gl = renderer->gl;
     struct target *projected = &renderer->projected;
-    if (!renderer_link(renderer, SHADER_PROJECTION) || !target_bind(projected, gl, PROBE_STEPS, 1))
+    if (!renderer_link(renderer, VIEW_POSITIONS) || !target_bind(projected, gl, PROBE_STEPS, 1))
         return false;
-    renderer_use(renderer, inputs, SHADER_PROJECTION);
+    renderer_use(renderer, inputs, VIEW_POSITIONS);
     gl->BindTexture(GL_TEXTURE_2D, renderer->table.texture);
     renderer_clear(gl);
     renderer_fill(renderer, projected, 0, 0, probe_rows(probe), 1);

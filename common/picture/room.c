@@ -13,9 +13,9 @@ static bool has_room(const struct renderer *renderer)
 // driver is compiling the program in other threads.
 static bool is_compiling(const struct renderer *renderer)
 {
-    if (renderer->program[SHADER_ROOM] != 0)
+    if (renderer->program[VIEW_ROOM] != 0)
         return false;
-    shader_begin(renderer->gl, &renderer->vertex, &renderer->fragment, SHADER_ROOM);
+    shader_begin(renderer->gl, &renderer->vertex, &renderer->fragment, VIEW_ROOM);
     return !shader_ready(renderer->gl);
 }
 
@@ -25,9 +25,9 @@ bool room_keep(struct renderer *renderer, const struct renderer_inputs *inputs, 
     float by[4];
     if (!has_room(renderer) || is_compiling(renderer))
         return true;
-    if (!renderer_link(renderer, SHADER_ROOM) || !target_bind(&renderer->single, gl, 1, 1))
+    if (!renderer_link(renderer, VIEW_ROOM) || !target_bind(&renderer->single, gl, 1, 1))
         return false;
-    renderer_use(renderer, inputs, SHADER_ROOM);
+    renderer_use(renderer, inputs, VIEW_ROOM);
     gl->Uniform3fv(renderer->used[UNIFORM_iCameraTo], 1, to);
     renderer_clear(gl);
     renderer_fill(renderer, &renderer->single, 0, 0, 1, 1);

@@ -156,17 +156,19 @@ static bool check_image(const struct shader_source *source)
 
 // ---- The dialect ----
 
-// A course file that --print-shader wrote begins with the prelude. Overwrite its two lines with
-// blanks, so that the file is in the course's dialect again. Returns false for any other file.
+// A course file that --print-shader wrote begins with the prelude. Overwrite its lines with blanks,
+// so that the file is in the course's dialect again. Returns false for any other file.
 static bool forget_prelude(struct shader_source *source)
 {
-    static const char first[] = "#version 330 core\n#define VIEW ";
+    static const char first[] = "#version 330 core\n", next[] = "#define VIEW";
+    char *line = source->text + strlen(first);
     if (strncmp(source->text, first, strlen(first)) != 0 ||
+        strncmp(line, next, strlen(next)) != 0 ||
         glsl_find_definition(&source->code, "rayColour") == NULL)
         return false;
-    char *line = strchr(source->text, '\n') + 1;
-    memset(source->text, ' ', strlen("#version 330 core"));
-    memset(line, ' ', strcspn(line, "\n"));
+    memset(source->text, ' ', strlen(first) - 1);
+    for (; strncmp(line, next, strlen(next)) == 0; line = strchr(line, '\n') + 1)
+        memset(line, ' ', strcspn(line, "\n"));
     source->version = 0;
     return true;
 }
@@ -231,34 +233,9 @@ bool shader_read(struct shader_source *source, const char *path, const char *roo
 
 // ---- Views ----
 
-// Only the first SHADER_VIEW_COUNT of these can be chosen.
-static const char *const view_names[SHADER_PROGRAM_COUNT] = {
-    "picture", "normals", "depth",       "steps",      "slice",      "plot",
-    "probe",   "count",   "coarse pass", "projection", "camera stop"};
-
-bool shader_shows_ray(enum shader_view view)
-{
-    return view == SHADER_SLICE || view == SHADER_PLOT;
-}
-
-const char *shader_view_name(enum shader_view view)
-{
-    return view_names[view];
-}
-
-bool shader_view_from_name(const char *name, enum shader_view *view)
-{
-    for (int i = 0; i < SHADER_VIEW_COUNT; i++)
-        if (strcmp(name, view_names[i]) == 0) {
-            *view = (enum shader_view)i;
-            return true;
-        }
-    return false;
-}
-
 bool shader_has_view(const struct shader_source *source, enum shader_view view)
 {
-    return view == SHADER_PICTURE || source->dialect == DIALECT_COURSE ||
+    return view == VIEW_PICTURE || source->dialect == DIALECT_COURSE ||
            report("%s: cannot show the view %s: only shaders in the course's dialect record their "
                   "rays; the chapters from 01 on have all views",
                   source->files[0], shader_view_name(view));
@@ -268,8 +245,11 @@ bool shader_has_view(const struct shader_source *source, enum shader_view view)
 
 char *dialect_prelude(const struct shader_source *source, enum shader_view view)
 {
-    return source->prelude != NULL ? memory_text("%s", source->prelude)
-                                   : memory_text(GL_GLSL "#define VIEW %d\n", (int)view);
+    if (source->prelude != NULL)
+        return memory_text("%s", source->prelude);
+    char *lines = shader_view_lines(view), *prelude = memory_text("%s%s", GL_GLSL, lines);
+    free(lines);
+    return prelude;
 }
 
 bool dialect_refuses(const struct shader_source *source, const char *log, bool linking)

@@ -1,29 +1,11 @@
-// dialect.h - the dialect of a shader file, its views, and explanations of its errors in the
-// author's terms.
+// dialect.h - the dialect of a shader file, and explanations of its errors in the author's terms.
 #ifndef SHADER_DIALECT_H
 #define SHADER_DIALECT_H
 
 #include <stdbool.h>
 
 #include "shader/source.h"
-
-// What main() shows: the value of VIEW in shaders/main.glsl.
-enum shader_view {
-    SHADER_PICTURE, // the colour that rayColour returns
-    SHADER_NORMALS, // the first normal of the pixel's ray
-    SHADER_DEPTH,   // the distance at which the first march of the pixel's ray ended
-    SHADER_STEPS,   // the total number of steps of the pixel's marches
-    SHADER_SLICE,   // the march of one ray, seen from the side
-    SHADER_PLOT,    // the march, and below it a plot of the distance along that ray
-    SHADER_VIEW_COUNT,
-    // From here on, the values select programs that are not views.
-    SHADER_PROBE = SHADER_VIEW_COUNT, // the steps of one ray, as numbers
-    SHADER_COUNT,                     // the number of evaluations of the scene for each pixel
-    SHADER_COARSE,                    // where the rays of a block of pixels may start
-    SHADER_PROJECTION, // the positions of points, such as a ray's steps, in the picture
-    SHADER_ROOM,       // where a moving camera stops
-    SHADER_PROGRAM_COUNT
-};
+#include "shader/view.h"
 
 // Read a shader, determine its dialect and translate it for the driver.
 //   path, root, request  as for shader_expand
@@ -42,19 +24,12 @@ bool shader_read_asked(struct shader_source *source, const char *path, const cha
 // Do the same as shader_read_asked, without a request.
 bool shader_read(struct shader_source *source, const char *path, const char *root);
 
-// True for the views of one ray's march, whose pixels are not those of the picture.
-bool shader_shows_ray(enum shader_view view);
-
-// Convert a view to its name ("steps"), and a name to its view. The latter returns false without
-// reporting an error if the name is unknown.
-const char *shader_view_name(enum shader_view view);
-bool shader_view_from_name(const char *name, enum shader_view *view);
-
 // True if the view can be shown. Returns false after reporting the reason: only shaders in the
 // course's dialect record their rays, so any other shader has no view except the picture.
 bool shader_has_view(const struct shader_source *source, enum shader_view view);
 
-// The lines that precede the text for the driver: #version and VIEW, or the prelude of translate.
+// The lines that precede the text for the driver: #version and the lines of view.h, or the prelude
+// of translate.
 // Returns memory that the caller frees.
 char *dialect_prelude(const struct shader_source *source, enum shader_view view);
 

@@ -7,6 +7,7 @@
 #include "shader/glsl.h"
 #include "shader/inputs.h"
 #include "shader/translate.h"
+#include "shader/view.h"
 #include "memory.h"
 #include "number.h"
 #include "report.h"
@@ -196,13 +197,25 @@ static void put_files(struct export *e)
     }
 }
 
+// Define the names of views that the exported lines mention, where VIEW_OF_TRACE mentions several.
+// The view is the picture.
+static void put_views(struct export *e)
+{
+    char *lines = shader_view_lines(VIEW_PICTURE), name[64];
+    bool picture = mentions(e, "VIEW") > 0, all = mentions(e, "VIEW_OF_TRACE") > 0;
+    for (const char *line = lines; sscanf(line, "#define %63s", name) == 1;
+         line += strcspn(line, "\n") + 1)
+        if (all || mentions(e, name) > 0 || (picture && strcmp(name, "VIEW_PICTURE") == 0))
+            fprintf(e->text, "%.*s\n", (int)strcspn(line, "\n"), line);
+    free(lines);
+}
+
 static void put_course(struct export *e)
 {
     put_name(e, "// ");
     fprintf(e->text,
             " for shadertoy.com, in one file: the camera and the parameters are constants.\n");
-    if (mentions(e, "VIEW") > 0)
-        fprintf(e->text, "#define VIEW 0\n");
+    put_views(e);
     if (mentions(e, "EXPORTED") > 0)
         fprintf(e->text, "#define EXPORTED\n");
     put_files(e);

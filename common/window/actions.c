@@ -166,12 +166,6 @@ static const struct {
     {NULL, turn_page, GLFW_KEY_PAGE_UP, -1, -1, false},
     {NULL, step_by_page, GLFW_KEY_PAGE_DOWN, 1, 1, true},
     {NULL, step_by_page, GLFW_KEY_PAGE_UP, -1, -1, true},
-    {NULL, window_show_view, GLFW_KEY_1, SHADER_PICTURE, SHADER_PICTURE, false},
-    {NULL, window_show_view, GLFW_KEY_2, SHADER_NORMALS, SHADER_NORMALS, false},
-    {NULL, window_show_view, GLFW_KEY_3, SHADER_DEPTH, SHADER_DEPTH, false},
-    {NULL, window_show_view, GLFW_KEY_4, SHADER_STEPS, SHADER_STEPS, false},
-    {NULL, window_show_view, GLFW_KEY_5, SHADER_SLICE, SHADER_SLICE, false},
-    {NULL, window_show_view, GLFW_KEY_6, SHADER_PLOT, SHADER_PLOT, false},
 };
 
 // In a lecture, Shift with a digit from 1 to 9 asks for a part. Returns true for such a key.
@@ -190,6 +184,11 @@ static void press_key(struct window *window, const struct window_event *event)
         return;
     bool pad = event->amount >= GLFW_KEY_KP_0 && event->amount <= GLFW_KEY_KP_9;
     int key = pad ? event->amount - GLFW_KEY_KP_0 + GLFW_KEY_0 : event->amount;
+    if (key >= GLFW_KEY_1 && key < GLFW_KEY_1 + SHADER_VIEW_COUNT && !event->repeated) {
+        window_show_view(window, key - GLFW_KEY_1);
+        window->dirty = true;
+        window->title.due = 0.0;
+    }
     for (size_t i = 0; i < sizeof bindings / sizeof *bindings; i++)
         if (bindings[i].key == key && (bindings[i].repeats || !event->repeated)) {
             if (bindings[i].act != NULL)

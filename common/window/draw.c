@@ -64,8 +64,8 @@ bool window_uses_time(const struct window *window)
     const struct renderer *renderer = window->renderer;
     bool slice = shader_shows_ray(renderer->view), selected = window->inputs.pixel[0] >= 0;
     return program_uses_time(renderer, renderer->view) ||
-           ((selected || slice) && program_uses_time(renderer, SHADER_PROBE)) ||
-           (selected && slice && program_uses_time(renderer, SHADER_PICTURE));
+           ((selected || slice) && program_uses_time(renderer, VIEW_PROBE)) ||
+           (selected && slice && program_uses_time(renderer, VIEW_PICTURE));
 }
 
 static double pixels_of(const struct renderer_inputs *inputs)

@@ -63,7 +63,7 @@ TEST(nothing_given_means_the_defaults)
                 given.step == -1);
     assert_true(!given.has_camera && !given.has_from && !given.has_overlay && !given.compares &&
                 !given.shadertoy);
-    assert_int_equal(given.view, SHADER_PICTURE);
+    assert_int_equal(given.view, VIEW_PICTURE);
     assert_int_equal(given.backend, CONTEXT_ANY);
     options_free(&given);
     options_free(&given);
@@ -96,7 +96,7 @@ TEST(options_have_long_and_short_spellings)
         const struct camera *c = &o.camera;
         assert_true(o.has_camera && c->position[0] == 1.0f && c->position[1] == -2.5f &&
                     c->position[2] == 3.0f && c->pan == 270.0f && c->tilt == -89.0f);
-        assert_int_equal(o.view, SHADER_STEPS);
+        assert_int_equal(o.view, VIEW_STEPS);
         assert_true(o.probe_count == 1 && o.probe[0][0] == 319 && o.probe[0][1] == 199);
         assert_int_equal(o.backend, CONTEXT_OSMESA);
         assert_string_equal(o.shader, "my.frag");
@@ -158,7 +158,7 @@ TEST(a_march_can_be_shown_step_by_step)
     ACCEPTED("--probe 1,1 --overlay --step 0 --from 1,2,3,40,-50 -c 0,0,0,0,0 -o a.png",
              o.has_from && o.from.position[2] == 3.0f && o.from.tilt == -50.0f &&
                  o.camera.tilt == 0.0f);
-    ACCEPTED("-v slice --probe 3,4 -o a.png", o.view == SHADER_SLICE && o.probe_count == 1 &&
+    ACCEPTED("-v slice --probe 3,4 -o a.png", o.view == VIEW_SLICE && o.probe_count == 1 &&
                                                   o.probe[0][0] == 3 && o.probe[0][1] == 4);
     ACCEPTED("--probe 3,4 -s 16x9 --probe=15,8",
              o.probe_count == 2 && o.probe[0][0] == 3 && o.probe[1][0] == 15 && o.probe[1][1] == 8);

@@ -137,7 +137,7 @@ struct march_picture march_draw(struct renderer *renderer, const struct march_sc
         picture.found[i] = values[4 * i + 2] > 0.5f;
     }
     free(values);
-    if (renderer_wants_coarse(renderer, SHADER_PICTURE))
+    if (renderer_wants_coarse(renderer, VIEW_PICTURE))
         picture.shared = coarse_evaluations(renderer) / (double)pixels;
     return picture;
 }
@@ -185,13 +185,13 @@ int *march_fewest(struct renderer *renderer, const struct march_scene *scene, in
 {
     int *fewest = malloc(sizeof *fewest * (size_t)width * (size_t)height);
     assert_non_null(fewest);
-    assert_true(renderer_set_view(renderer, SHADER_COUNT));
+    assert_true(renderer_set_view(renderer, VIEW_EVALUATIONS));
     float *values = draw(renderer, scene, width, height);
     for (int i = 0; i < width * height; i++)
         fewest[i] =
             values[4 * i + 3] > 0.5f && values[4 * i + 1] > 0.0f ? (int)values[4 * i + 2] : -1;
     free(values);
-    assert_true(renderer_set_view(renderer, SHADER_PICTURE));
+    assert_true(renderer_set_view(renderer, VIEW_PICTURE));
     return fewest;
 }
 

@@ -138,7 +138,7 @@ static void judge_slice(const char *where, enum shader_view view, int passing)
         return;
     float width = pen_picture_width(&overlay), height = pen_picture_height(&overlay);
     float cell = slice_cell(overlay.height) / overlay.scale;
-    float graph = view == SHADER_PLOT ? SLICE_PLOT * height : 0.0f;
+    float graph = view == VIEW_PLOT ? SLICE_PLOT * height : 0.0f;
     float ray = 0.5f * (height - graph);
     const struct overlay_rectangle written[] = {
         {.top = height - SLICE_AXIS * cell, .right = width, .bottom = height},
@@ -312,7 +312,7 @@ TEST(no_panel_covers_another)
         const char *path = found.gl_pathv[c];
         assert_true(shader_read(&source, path, gpu_project_root()) &&
                     parameters_read(&chapter.parameters, &source));
-        for (int i = 0; i < 8 * 4 * (SHADER_PLOT + 1); i++) {
+        for (int i = 0; i < 8 * 4 * (VIEW_PLOT + 1); i++) {
             chapter.view = (enum shader_view)(i / 32);
             if (is_usual(sizes[i % 8], scales[i / 8 % 4]))
                 try_picture(&chapter, strrchr(path, '/') + 1, sizes[i % 8], scales[i / 8 % 4]);

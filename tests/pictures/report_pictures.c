@@ -74,10 +74,10 @@ TEST(test_boxes_are_as_in_figure_9)
     static const struct border shadow[] = {{{240, 520}, {215, 436}}, {{345, 480}, {300, 440}},
                                            {{300, 520}, {355, 532}}, {{480, 545}, {430, 532}},
                                            {{250, 450}, {280, 436}}, {{600, 560}, {400, 520}}};
-    float *pixels = draw(0, SHADER_DEPTH);
+    float *pixels = draw(0, VIEW_DEPTH);
     assert_borders(pixels, outline, COUNT(outline), solid, 0.5);
     free(pixels);
-    pixels = draw(0, SHADER_PICTURE);
+    pixels = draw(0, VIEW_PICTURE);
     assert_borders(pixels, shadow, COUNT(shadow), light, 1.5);
     free(pixels);
 }
@@ -89,7 +89,7 @@ TEST(test_pyramid_is_as_in_figure_10)
         {{566, 340}, {576, 336}}, {{604, 450}, {615, 447}}, {{170, 464}, {160, 456}},
         {{645, 574}, {656, 578}}, {{400, 518}, {400, 535}}, {{560, 550}, {558, 568}},
         {{430, 275}, {480, 320}}, {{360, 335}, {345, 300}}};
-    float *pixels = draw(1, SHADER_DEPTH);
+    float *pixels = draw(1, VIEW_DEPTH);
     assert_borders(pixels, outline, COUNT(outline), solid, 0.5);
     free(pixels);
 }
@@ -107,7 +107,7 @@ TEST(test_lamp_and_lawns_are_as_in_figure_11)
                                          {{30, 480}, {100, 510}},
                                          {{640, 520}, {500, 510}},
                                          {{800, 500}, {560, 520}}};
-    float *pixels = draw(2, SHADER_PICTURE);
+    float *pixels = draw(2, VIEW_PICTURE);
     assert_borders(pixels, globe, COUNT(globe), yellow, 1.1);
     assert_borders(pixels, lawn, COUNT(lawn), green, 1.3);
     free(pixels);

@@ -6,8 +6,6 @@
 in float Time;
 out vec4 FragColor;
 
-#define VIEW 0
-
 #include "crossing.glsl"
 #include "cone.glsl"
 #include "repetition.glsl"

@@ -5,8 +5,6 @@
 in float Time;
 out vec4 FragColor;
 
-#define VIEW 0
-
 #include "lens.glsl"
 #include "filter.glsl"
 

@@ -35,7 +35,7 @@ enum { VIEWS = sizeof views / sizeof views[0], PASSAGE = sizeof passage / sizeof
 static void rays_of(const struct view *view, double u, int which, float *rays[2])
 {
     const struct gl *gl = gpu.renderer.gl;
-    GLuint program = gpu.renderer.program[SHADER_PICTURE];
+    GLuint program = gpu.renderer.program[VIEW_PICTURE];
     gl->UseProgram(program);
     gl->Uniform1f(gl->GetUniformLocation(program, "orthographic"), (float)u);
     gpu.renderer.focal_length = (float)view->focal_length;

@@ -132,7 +132,7 @@ TEST(a_probe_marches_sample_0_of_1_of_its_pixel)
 TEST(a_slice_is_that_of_its_pixel)
 {
     assert_true(gpu_load_text(RANDOM_SCENE));
-    assert_true(renderer_set_view(&gpu.renderer, SHADER_SLICE));
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_SLICE));
     int inside = 0;
     for (int x = 0; x < 8; x++) {
         struct renderer_inputs inputs = gpu_inputs(64, 36, 1);
@@ -146,7 +146,7 @@ TEST(a_slice_is_that_of_its_pixel)
         free(picture);
     }
     assert_true(inside > 0 && inside < 8);
-    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_PICTURE));
 }
 
 // ---- How the numbers are distributed ----

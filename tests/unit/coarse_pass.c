@@ -154,7 +154,7 @@ TEST(test_a_shader_that_does_not_call_coarse_start_gets_no_pass)
     assert_non_null(strstr(capture_end(), "uniform float iCoarse is 0"));
     free(gpu_numbers(&inputs));
     assert_int_equal(gpu.renderer.coarse.width, 0);
-    assert_int_equal(gpu.renderer.program[SHADER_COARSE], 0);
+    assert_int_equal(gpu.renderer.program[VIEW_COARSE], 0);
 }
 
 // An error in the coarse pass is found while the shader is being loaded, so the previous shader

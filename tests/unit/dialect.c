@@ -130,7 +130,7 @@ IN_PROJECT(test_main_image_is_adapted_to_the_renderer)
     const char *said;
     assert_true(
         read_text(&source, "void mainImage(out vec4 c, in vec2 p) { c = gl_FragCoord; }\n", &said));
-    char *compiled = shader_text(&source, SHADER_PICTURE);
+    char *compiled = shader_text(&source, VIEW_PICTURE);
     assert_non_null(
         strstr(compiled, "\nvoid mainImage(inout vec4 c, in vec2 p) { c = harnessFragCoord; }\n"));
     free(compiled);
@@ -152,7 +152,7 @@ IN_PROJECT(test_versions_and_extensions_are_removed)
         struct shader_source source;
         const char *said;
         assert_true(read_text(&source, cases[i].text, &said));
-        char *compiled = shader_text(&source, SHADER_PICTURE);
+        char *compiled = shader_text(&source, VIEW_PICTURE);
         if (strstr(compiled, cases[i].word) != NULL)
             fail_msg("'%s' in %s", cases[i].word, compiled);
         free(compiled);
@@ -375,15 +375,17 @@ IN_PROJECT(test_a_version_above_a_chapter_is_refused)
 IN_PROJECT(test_the_driver_gets_the_expanded_text)
 {
     struct shader_source source = read_well("#include \"twig.glsl\"\nx\n");
-    char *text = shader_text(&source, SHADER_STEPS);
-    assert_string_equal(text,
-                        "#version 330 core\n#define VIEW 3\n// #include \"twig.glsl\"\n// twig\n"
-                        "// #include \"leaf.glsl\"\nfloat leaf();\nfloat twig();\nx\n");
+    char *text = shader_text(&source, VIEW_STEPS);
+    assert_int_equal(strncmp(text, "#version 330 core\n#define VIEW_PICTURE 0\n", 41), 0);
+    assert_non_null(strstr(text, "\n#define VIEW VIEW_STEPS\n"));
+    assert_non_null(strstr(text,
+                           ")\n// #include \"twig.glsl\"\n// twig\n// #include \"leaf.glsl\"\n"
+                           "float leaf();\nfloat twig();\nx\n"));
     assert_null(strstr(text, "#line"));
     free(text);
     shader_free(&source);
     source = read_well("#version 330 core\nx\n");
-    text = shader_text(&source, SHADER_PICTURE);
+    text = shader_text(&source, VIEW_PICTURE);
     assert_string_equal(text, "#version 330 core\n"
                               "#extension GL_ARB_shading_language_420pack : enable\n\nx\n");
     free(text);

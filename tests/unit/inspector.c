@@ -26,7 +26,7 @@ static int set_up(void **unused)
     for (int k = 0; k < STEPS; k++)
         probe.step[k] =
             (struct probe_step){.t = 0.125f * (float)k, .distance = 0.5f + (float)k, .seen = true};
-    renderer.view = SHADER_PICTURE;
+    renderer.view = VIEW_PICTURE;
     return 0;
 }
 
@@ -174,12 +174,12 @@ TEST_WITH(the_table_does_not_cover_a_ray_seen_from_the_side, set_up, NULL)
 
 TEST_WITH(no_panel_covers_the_ray_of_a_slice_or_plot, set_up, NULL)
 {
-    for (int view = SHADER_SLICE; view <= SHADER_PLOT; view++)
+    for (int view = VIEW_SLICE; view <= VIEW_PLOT; view++)
         for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
             renderer.view = (enum shader_view)view;
             gather(sizes[i][0], sizes[i][1], 10, 10, 4.0f);
             float height = pen_picture_height(&overlay);
-            float ray = (view == SHADER_PLOT ? 0.25f : 0.5f) * height;
+            float ray = (view == VIEW_PLOT ? 0.25f : 0.5f) * height;
             assert_true(table() != NULL || sizes[i][0] < 640);
             for (int k = 0; k < overlay.count && sizes[i][0] >= 640; k++)
                 assert_true(overlay.rectangle[k].bottom < ray - 20.0f);

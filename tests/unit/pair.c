@@ -151,21 +151,21 @@ TEST(a_view_is_set_in_both_pictures)
 {
     struct renderer_inputs inputs = gpu_inputs(WIDTH, HEIGHT, 1);
     gpu.renderer.comparison = &comparison;
-    assert_true(renderer_set_view(&gpu.renderer, SHADER_DEPTH));
-    assert_int_equal(second.view, SHADER_DEPTH);
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_DEPTH));
+    assert_int_equal(second.view, VIEW_DEPTH);
     assert_true(renderer_draw(&gpu.renderer, &inputs, 0, HEIGHT));
-    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_PICTURE));
     // If one picture lacks the view, both pictures keep their old view.
     static const char toy[] = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }";
     for (int side = 0; side < 2; side++) {
         load_both(side == 0 ? toy : FIRST, side == 0 ? SECOND : toy);
         gpu.renderer.comparison = &comparison;
         capture_begin();
-        bool shown = renderer_set_view(&gpu.renderer, SHADER_NORMALS);
+        bool shown = renderer_set_view(&gpu.renderer, VIEW_NORMALS);
         assert_int_equal(line_count(capture_end()), 1);
         assert_false(shown);
-        assert_int_equal(gpu.renderer.view, SHADER_PICTURE);
-        assert_int_equal(second.view, SHADER_PICTURE);
+        assert_int_equal(gpu.renderer.view, VIEW_PICTURE);
+        assert_int_equal(second.view, VIEW_PICTURE);
     }
     load_both(FIRST, SECOND);
 }
@@ -186,7 +186,7 @@ TEST(a_plot_has_room_for_both_sides)
         int curve[2] = {0, 0};
         load_both(scenes[near], scenes[1 - near]);
         gpu.renderer.comparison = &comparison;
-        assert_true(renderer_set_view(&gpu.renderer, SHADER_PLOT));
+        assert_true(renderer_set_view(&gpu.renderer, VIEW_PLOT));
         float *numbers = gpu_numbers(&inputs);
         for (int i = 0; i < width * height; i++) {
             const float *colour = numbers + 4 * i;
@@ -195,7 +195,7 @@ TEST(a_plot_has_room_for_both_sides)
         free(numbers);
         assert_true(curve[0] > 50 && curve[1] > 50);
     }
-    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_PICTURE));
     load_both(FIRST, SECOND);
 }
 

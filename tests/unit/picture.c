@@ -188,7 +188,7 @@ static void check_sharpened(enum shader_view view, int samples)
     enum { PARTS = 6 };
     static const int parts[PARTS] = {1, 64, 3, 200, 129, 133};
     struct renderer_inputs inputs = gpu_inputs(700, 530, samples);
-    inputs.pixel[0] = inputs.pixel[1] = view == SHADER_SLICE ? 300 : -1;
+    inputs.pixel[0] = inputs.pixel[1] = view == VIEW_SLICE ? 300 : -1;
     assert_true(renderer_set_view(&gpu.renderer, view));
     float *whole = draw(&inputs, inputs.height);
     size_t size = 4 * sizeof *whole * (size_t)inputs.width * (size_t)inputs.height;
@@ -212,13 +212,13 @@ static void check_sharpened(enum shader_view view, int samples)
 TEST(a_picture_sharpened_in_parts_is_the_same_bit_for_bit)
 {
     load_chapter("03_shadows");
-    check_sharpened(SHADER_PICTURE, 1);
-    check_sharpened(SHADER_PICTURE, 2);
-    check_sharpened(SHADER_STEPS, 1);
-    check_sharpened(SHADER_SLICE, 1);
-    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
+    check_sharpened(VIEW_PICTURE, 1);
+    check_sharpened(VIEW_PICTURE, 2);
+    check_sharpened(VIEW_STEPS, 1);
+    check_sharpened(VIEW_SLICE, 1);
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_PICTURE));
     load_chapter("00_first_scene");
-    check_sharpened(SHADER_PICTURE, 1);
+    check_sharpened(VIEW_PICTURE, 1);
 }
 
 // ---- Uniforms ----
@@ -373,10 +373,10 @@ TEST(earlier_draws_leave_no_trace)
     load_chapter("02_lighting");
     float *first = draw(&inputs, inputs.height);
 
-    assert_true(renderer_set_view(&gpu.renderer, SHADER_STEPS));
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_STEPS));
     float *steps = draw(&inputs, inputs.height);
     assert_memory_not_equal(first, steps, 4 * sizeof *first * 96 * 54);
-    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_PICTURE));
     struct renderer_inputs smooth = gpu_inputs(40, 30, 2);
     free(draw(&smooth, smooth.height));
     capture_begin();

@@ -21,8 +21,8 @@ static void check_colours(const struct renderer_inputs *inputs, enum shader_view
     struct image image = {0};
     assert_true(renderer_set_view(&gpu.renderer, view));
     assert_true(renderer_picture(&gpu.renderer, inputs, &image));
-    if (view == SHADER_PICTURE && gpu.renderer.fragment.dialect == DIALECT_COURSE)
-        assert_true(renderer_set_view(&gpu.renderer, SHADER_SLICE));
+    if (view == VIEW_PICTURE && gpu.renderer.fragment.dialect == DIALECT_COURSE)
+        assert_true(renderer_set_view(&gpu.renderer, VIEW_SLICE));
     for (int i = 0; i < 40; i++) {
         int x = i * 7919 % image.width, y = i * 6271 % image.height;
         assert_true(renderer_probe(&gpu.renderer, inputs, x, y, &probe));
@@ -31,7 +31,7 @@ static void check_colours(const struct renderer_inputs *inputs, enum shader_view
                             image.pixel + 3 * ((image.height - 1 - y) * image.width + x), 3);
     }
     image_free(&image);
-    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_PICTURE));
 }
 
 TEST(test_probe_has_the_colour_of_the_picture)
@@ -46,17 +46,17 @@ TEST(test_probe_has_the_colour_of_the_picture)
         inputs.height = 85;
         inputs.samples = 1 + i % 3;
         inputs.time = i;
-        check_colours(&inputs, SHADER_PICTURE);
+        check_colours(&inputs, VIEW_PICTURE);
         if (gpu.renderer.fragment.dialect == DIALECT_COURSE)
-            check_colours(&inputs, i == 3 ? SHADER_STEPS : SHADER_NORMALS);
+            check_colours(&inputs, i == 3 ? VIEW_STEPS : VIEW_NORMALS);
     }
     inputs = (struct renderer_inputs){.width = 16384, .height = 300, .samples = 1}; // two bands
     assert_true(gpu_load("chapters/first_steps/1_screen.frag"));
-    check_colours(&inputs, SHADER_PICTURE);
+    check_colours(&inputs, VIEW_PICTURE);
     assert_true(gpu_load_text("void mainImage(out vec4 c, vec2 p)\n"
                               "{ c = vec4(fract(sin(p.x * 12.9 + p.y * 78.2) * 43758.5)); }\n"));
     inputs = gpu_inputs(61, 47, 3);
-    check_colours(&inputs, SHADER_PICTURE);
+    check_colours(&inputs, VIEW_PICTURE);
 }
 
 // A shader may write any number into trace, and a driver returns any number for a NaN.

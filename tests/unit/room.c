@@ -31,7 +31,7 @@ static void load(const char *room)
                         "float cameraRoom(vec3 p) { return %s; }\n",
              room);
     assert_true(gpu_load_text(text));
-    assert_int_equal(gpu.renderer.program[SHADER_ROOM], 0);
+    assert_int_equal(gpu.renderer.program[VIEW_ROOM], 0);
 }
 
 static void keep(const float from[3], float to[3])
@@ -39,7 +39,7 @@ static void keep(const float from[3], float to[3])
     struct renderer_inputs inputs = {.width = 64, .height = 36, .samples = 1};
     memcpy(inputs.camera.position, from, sizeof inputs.camera.position);
     assert_true(glsl_find_definition(&gpu.renderer.fragment.code, "cameraRoom") == NULL ||
-                renderer_link(&gpu.renderer, SHADER_ROOM));
+                renderer_link(&gpu.renderer, VIEW_ROOM));
     assert_true(room_keep(&gpu.renderer, &inputs, to));
 }
 
@@ -156,7 +156,7 @@ TEST(a_scene_without_the_function_is_open)
     assert_true(gpu_load_text(GPU_COURSE "vec3 rayColour(Ray r) { return vec3(0.0); }\n"));
     keep(from, to);
     assert_true(to[1] == -1.0f);
-    assert_int_equal(gpu.renderer.program[SHADER_ROOM], 0);
+    assert_int_equal(gpu.renderer.program[VIEW_ROOM], 0);
 }
 
 // Every chapter's camera begins at a position with room: a camera that comes down to this position
@@ -179,7 +179,7 @@ TEST(every_chapter_begins_with_room)
         keep(high, to);
         if (glm_vec3_distance(to, camera.position) > 0.0f)
             fail_msg("%s: the camera has no room at its start", stem);
-        asking += gpu.renderer.program[SHADER_ROOM] != 0;
+        asking += gpu.renderer.program[VIEW_ROOM] != 0;
     }
     closedir(folder);
     assert_int_equal(asking, 17);

@@ -4,6 +4,7 @@
 #include "lib/test.h"
 
 #include "context/context.h"
+#include "memory.h"
 #include "shader/compile.h"
 #include "lib/scratch.h"
 
@@ -30,14 +31,40 @@ static struct shader_source read_text(const char *text)
 // ---- Logs ----
 
 // Of the lines that the driver compiles, lines 1 and 2 are the prelude, line 3 is the include,
-// lines 4 and 5 are lib.glsl, and lines 6 and 7 are lines 2 and 3 of main.frag.
+// lines 4 and 5 are lib.glsl, and lines 6 and 7 are lines 2 and 3 of main.frag. The prelude of a
+// course shader has a line for each view instead, which with_prelude takes into account.
 static const char course[] =
     "#include \"lib.glsl\"\n\tfloat f() { return y; }\nint g() { return 2; }\n";
 
+// Add to the number of each line below the prelude, in a driver's log, the lines by which the
+// prelude is longer than two.
+static char *with_prelude(const struct shader_source *source, const char *log)
+{
+    char *prelude = dialect_prelude(source, VIEW_PICTURE), *result;
+    long more = source->dialect == DIALECT_COURSE ? -2 : 0;
+    for (const char *c = prelude; source->dialect == DIALECT_COURSE && *c != '\0'; c++)
+        more += *c == '\n';
+    free(prelude);
+    FILE *text = memory_open(&result);
+    for (const char *c = log; *c != '\0'; c++) {
+        bool line = c[0] == '0' && (c[1] == ':' || c[1] == '(') && c[2] >= '0' && c[2] <= '9';
+        char *end = NULL;
+        long number = line ? strtol(c + 2, &end, 10) : 0;
+        if (line && number > 2) {
+            fprintf(text, "0%c%ld", c[1], number + more);
+            c = end - 1;
+        } else
+            fputc(*c, text);
+    }
+    memory_close(text);
+    return result;
+}
+
 // Check the explanation of a log. Each @ in expected stands for the path of main.frag.
-static void assert_explained(const char *text, const char *log, const char *expected)
+static void assert_explained(const char *text, const char *short_log, const char *short_expected)
 {
     struct shader_source source = read_text(text);
+    char *log = with_prelude(&source, short_log), *expected = with_prelude(&source, short_expected);
     char wanted[4096] = "";
     for (const char *c = expected; *c != '\0'; c++) {
         size_t size = strlen(wanted);
@@ -46,10 +73,12 @@ static void assert_explained(const char *text, const char *log, const char *expe
         else
             snprintf(wanted + size, sizeof wanted - size, "%c", *c);
     }
-    char *explained = shader_explain(&source, SHADER_PICTURE, log);
+    char *explained = shader_explain(&source, VIEW_PICTURE, log);
     assert_non_null(explained);
     assert_string_equal(explained, wanted);
     free(explained);
+    free(log);
+    free(expected);
     shader_free(&source);
 }
 
@@ -174,7 +203,7 @@ static GLuint link_files(const char *library, const char *text, const char **sai
         shader_read(&vertex, scratch_path("root/shaders/screen.vert"), scratch_path("root")));
     struct shader_source source = read_text(text);
     capture_begin();
-    GLuint program = shader_link(&driver.context.gl, &vertex, &source, SHADER_PICTURE);
+    GLuint program = shader_link(&driver.context.gl, &vertex, &source, VIEW_PICTURE);
     *said = capture_end();
     shader_free(&source);
     shader_free(&vertex);
@@ -290,7 +319,7 @@ static int close_context(void **state)
 
 IN_PROJECT(test_only_files_in_the_course_s_dialect_have_all_views)
 {
-    enum shader_view view = SHADER_PICTURE;
+    enum shader_view view = VIEW_PICTURE;
     for (int i = 0; i < SHADER_VIEW_COUNT; i++) {
         assert_true(shader_view_from_name(shader_view_name((enum shader_view)i), &view));
         assert_int_equal(view, i);
@@ -298,8 +327,8 @@ IN_PROJECT(test_only_files_in_the_course_s_dialect_have_all_views)
     assert_false(shader_view_from_name("probe", &view));
     assert_false(shader_view_from_name("", &view));
     struct shader_source source = read_text("#version 330 core\n");
-    assert_true(shader_has_view(&source, SHADER_PICTURE));
-    for (int i = SHADER_NORMALS; i < SHADER_PROGRAM_COUNT; i++) {
+    assert_true(shader_has_view(&source, VIEW_PICTURE));
+    for (int i = VIEW_NORMALS; i < SHADER_PROGRAM_COUNT; i++) {
         capture_begin();
         assert_false(shader_has_view(&source, (enum shader_view)i));
         const char *said = capture_end();
@@ -309,8 +338,8 @@ IN_PROJECT(test_only_files_in_the_course_s_dialect_have_all_views)
     }
     shader_free(&source);
     source = read_text("x\n");
-    assert_true(shader_has_view(&source, SHADER_SLICE));
-    assert_true(shader_has_view(&source, SHADER_PROBE));
+    assert_true(shader_has_view(&source, VIEW_SLICE));
+    assert_true(shader_has_view(&source, VIEW_PROBE));
     shader_free(&source);
 }
 

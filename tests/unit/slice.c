@@ -35,7 +35,7 @@ TEST(the_steps_view_agrees_with_the_table)
 {
     struct renderer_inputs inputs = {.width = WIDTH, .height = HEIGHT, .samples = 1};
     assert_true(gpu_load_text(equal_steps));
-    assert_true(renderer_set_view(&gpu.renderer, SHADER_STEPS));
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_STEPS));
     float *colours = gpu_numbers(&inputs);
     inputs.camera = gpu_open_chapter("01_normal_colouring");
     float *view = gpu_numbers(&inputs);
@@ -52,7 +52,7 @@ TEST(the_steps_view_agrees_with_the_table)
     free(probe);
     free(view);
     free(colours);
-    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_PICTURE));
 }
 
 // ---- The frame ----

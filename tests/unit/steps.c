@@ -29,7 +29,7 @@ static float *view_of(const struct renderer_inputs *inputs, enum shader_view vie
 {
     assert_true(renderer_set_view(&gpu.renderer, view));
     float *values = gpu_numbers(inputs);
-    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_PICTURE));
     return values;
 }
 
@@ -66,7 +66,7 @@ TEST(a_circle_grows_between_two_steps)
     double x = (1.0 - (double)frame.left) / (double)frame.unit, before = 0.0;
     for (int i = 0; i <= 4; i++) {
         inputs.shown = 2.0f + 0.25f * (float)i; // from step 1 to step 2, which is at t = 1
-        float *values = view_of(&inputs, SHADER_SLICE);
+        float *values = view_of(&inputs, VIEW_SLICE);
         double lowest = 0.0;
         for (int y = HEIGHT / 2 - 8; y > 40; y--) // under the dot, above the axis
             if (dark_at(values, x, y) > 0.45)
