@@ -88,6 +88,32 @@ function minutes(words, a_minute)
     return 5 * int((words / a_minute + 4.999) / 5)
 }
 
+# The keys that --help lists, as a Markdown table, or "" after an error. A line that begins further to the right than
+# the keys goes on with the meaning of the line above.
+function keys(    command, line, rows, listed, key, meaning)
+{
+    command = build "/00_first_scene --help"
+    while ((command | getline line) > 0) {
+        if (line ~ /^In the window/)
+            listed = 1
+        else if (listed && line == "")
+            listed = 0
+        else if (listed && line ~ /^   /)
+            sub(/ \|\n$/, substr(line, 21) " |\n", rows)
+        else if (listed) {
+            key = substr(line, 3)
+            meaning = key
+            sub(/  .*/, "", key)
+            sub(/^([^ ]+ )* +/, "", meaning)
+            rows = rows "| " key " | " meaning " |\n"
+        }
+    }
+    close(command)
+    if (rows == "")
+        fail("keys: " command ": lists no keys: run make first")
+    return rows == "" ? "" : "| key | what it does |\n| --- | --- |\n" rows
+}
+
 # The reading time of the page, at 200 words of the story or 100 words of the proofs per minute.
 function time(    command, line, word)
 {
@@ -107,6 +133,8 @@ function block(line,    word, n)
     n = split(line, word, " ")
     if (line == "<!-- time -->")
         return time()
+    if (line == "<!-- keys -->")
+        return keys()
     if (word[2] == "parameters:" && n == 4 && word[4] == "-->")
         return table(word[3])
     if (word[2] == "code:" && word[n] == "-->" && (n == 5 || (n == 6 && word[5] == "with-comment")))
@@ -168,7 +196,7 @@ state == "text" && /^```/ { fenced = !fenced }
 
 { print }
 
-state == "text" && !fenced && /^<!-- *(code:|parameters:|time)/ {
+state == "text" && !fenced && /^<!-- *(code:|parameters:|keys|time)/ {
     marker = $0
     at = FNR
     old = ""

@@ -9,6 +9,7 @@
 #   <!-- code: shaders/march.glsl march with-comment -->  the same, with the comment above it
 #   <!-- code: chapters/first_steps/1_screen.frag * -->   the whole file
 #   <!-- parameters: 01_normal_colouring -->              the output of build/01_normal_colouring --list
+#   <!-- keys -->                                         the keys of a window, from --help
 #   <!-- time -->                                         the reading time of the page, from words.awk
 #
 # Listings must be used: the text of a page must name each of its listings in backticks; no block of code may be copied

@@ -102,8 +102,7 @@ static void write_window(struct json *json, const struct window *window)
     json_text(json, "why", inputs->pixel[0] >= 0 ? window->ray.why : "");
     json_flag(json, "halves", live_halves() != 0);
     // Only a shader in the course's dialect has views other than the picture.
-    int views =
-        renderer->fragment.dialect == DIALECT_COURSE ? SHADER_VIEW_COUNT : VIEW_PICTURE + 1;
+    int views = renderer->fragment.dialect == DIALECT_COURSE ? SHADER_VIEW_COUNT : VIEW_PICTURE + 1;
     json_begin(json, "views", '[');
     for (int view = 0; view < views; view++)
         json_text(json, NULL, shader_view_name((enum shader_view)view));

@@ -2,31 +2,43 @@
 
 #include <string.h>
 
-static const char ending[] =
-    "In the window, with keys named by their position on an American keyboard:\n"
-    "  W A S D            move\n"
-    "  Space, C           move up, down (or Left Ctrl); Left Shift or F: faster\n"
-    "  drag               look around, or move the divider of --compare\n"
-    "  M                  capture or release the mouse\n"
-    "  click              select a pixel's ray and show its march; again: deselect it\n"
-    "                     on a step of its table: go to that step\n"
-    "  E, Q               step forward, back along the ray; also Page Down, Page Up\n"
-    "  Home, End, X       first step, last step; deselect the ray\n"
-    "  wheel              focal length; zoom in the slice and the plot\n"
-    "  Tab                perspective or orthographic, if the shader has both\n"
-    "  1 2 3 4 5 6        view: picture, normals, depth, steps, slice, plot\n"
-    "  up, down           select a parameter\n"
-    "  left, right        change it, with Shift by ten steps; Delete: reset it\n"
-    "  Enter              focus the next handle, which the arrow keys then move\n"
-    "  drag, U            in chapter 23 with tool set: change the clay; undo the last\n"
-    "                     stroke, with Shift all\n"
-    "  Escape, R          pause or resume; restart the time, with Shift the camera too\n"
-    "  H, K               hide or show the overlay; show all keys and ranges\n"
-    "  O, T               move the panel to the other side; collapse or expand it\n"
-    "  P, F11             save a screenshot; full screen\n"
-    "  Backspace          quit\n\n"
-    "Exit status: 0 success; 1 failure; 2 the command line is wrong;\n"
-    "3 no window can be opened here.\n";
+#include "window/keys.h"
+
+// Print a text in lines of at most 78 characters, the first of which has already begun.
+//   indent  characters before the text of each line
+static void print_wrapped(FILE *file, const char *text, int indent)
+{
+    for (int at = indent; *text != '\0';) {
+        int word = (int)strcspn(text, " ");
+        if (at > indent && at + 1 + word > 78) {
+            fprintf(file, "\n%*s", indent, "");
+            at = indent;
+        } else if (at > indent)
+            at += fprintf(file, " ");
+        at += fprintf(file, "%.*s", word, text);
+        text += word + (text[word] == ' ');
+    }
+    fprintf(file, "\n");
+}
+
+// Print the keys, those of a lecture last.
+static void print_keys(FILE *file)
+{
+    const int indent = 21;
+    if (window_keys->label != NULL)
+        fprintf(file, "In the window, with keys named by their position on an American keyboard:\n");
+    for (int lecture = 0; lecture < 2; lecture++)
+        for (const struct key_row *row = window_keys; row->label != NULL; row++) {
+            int width = 0; // characters, of which an arrow has three bytes
+            for (const char *c = row->label; *c != '\0'; c++)
+                width += ((unsigned char)*c & 0xC0) != 0x80;
+            if ((row->condition == KEY_IN_LECTURE) != lecture)
+                continue;
+            fprintf(file, "  %s%*s", row->label, indent - 2 - width, "");
+            print_wrapped(file, row->meaning, indent);
+        }
+    fprintf(file, "\n");
+}
 
 void options_print_help(FILE *file, const char *program, const char *title, const char *shows)
 {
@@ -39,5 +51,8 @@ void options_print_help(FILE *file, const char *program, const char *title, cons
         if (row->initial[0] != '\0')
             fprintf(file, "  %*s  default: %s\n", width, "", row->initial);
     }
-    fprintf(file, "\n%s", ending);
+    fprintf(file, "\n");
+    print_keys(file);
+    fprintf(file, "Exit status: 0 success; 1 failure; 2 the command line is wrong;\n"
+                  "3 no window can be opened here.\n");
 }

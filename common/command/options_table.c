@@ -276,7 +276,7 @@ static bool set_print_shader(struct options *options, const char *text)
            refuse("print-shader", text, "must be shadertoy, or be omitted");
 }
 
-#define VIEW_WORD(id, kind, name) " " name
+#define VIEW_WORD(id, kind, key, name) " " name
 
 const struct options_row options_rows[] = {
     {"-o,", "output", " FILE.png", set_output, OPTIONS_RUN,

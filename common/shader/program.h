@@ -8,8 +8,8 @@
 #include "context/gl.h"
 
 // Pass two texts to the driver, which may compile them in threads of its own. The next
-// shader_link_texts of the same texts uses this program. Only a few programs can be in progress at a
-// time; beyond that, the call only frees the texts.
+// shader_link_texts of the same texts uses this program. Only a few programs can be in progress at
+// a time; beyond that, the call only frees the texts.
 //   vertex, fragment  texts on the heap, of which the call becomes the owner
 void shader_begin_texts(const struct gl *gl, char *vertex, char *fragment);
 

@@ -9,7 +9,7 @@ static const struct {
     enum view_kind kind;
     const char *id, *name;
 } rows[] = {
-#define VIEW_ROW(id, kind, name) [VIEW_##id] = {VIEW_##kind, #id, name},
+#define VIEW_ROW(id, kind, key, name) [VIEW_##id] = {VIEW_##kind, #id, name},
     SHADER_VIEWS(VIEW_ROW) SHADER_PROGRAMS(VIEW_ROW)
 #undef VIEW_ROW
 };

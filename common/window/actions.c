@@ -2,7 +2,6 @@
 
 #include <limits.h>
 #include <math.h>
-#include <stddef.h>
 #include <stdio.h>
 
 #include "picture/comparison.h"
@@ -12,6 +11,7 @@
 #include "window/field.h"
 #include "window/full_screen.h"
 #include "window/handle.h"
+#include "window/keys.h"
 #include "window/pointer.h"
 #include "window/projection.h"
 #include "window/ray.h"
@@ -30,11 +30,24 @@ static void shoot(struct window *window)
     window->shooting = true;
 }
 
-// Toggle the flag at an offset in the window.
-static void toggle(struct window *window, int offset)
+static void pause(struct window *window)
 {
-    bool *flag = (bool *)((char *)window + offset);
-    *flag = !*flag;
+    window->paused = !window->paused;
+}
+
+static void show_keys(struct window *window)
+{
+    window->panel.helps = !window->panel.helps;
+}
+
+static void change_side(struct window *window)
+{
+    window->panel.right = !window->panel.right;
+}
+
+static void roll(struct window *window)
+{
+    window->panel.rolled = !window->panel.rolled;
 }
 
 static void restart(struct window *window, int camera)
@@ -127,46 +140,98 @@ static void step_by_page(struct window *window, int by)
         window_step(window, by);
 }
 
-#define FLAG(name)                                                                                 \
-    .change = toggle, .amount = offsetof(struct window, name),                                     \
-    .shifted = offsetof(struct window, name)
-
-static const struct {
-    void (*act)(struct window *window);                // called unless it is NULL
-    void (*change)(struct window *window, int amount); // called if act is NULL
-    int key;
-    int amount, shifted; // the argument of change without and with Shift
-    bool repeats;
-} bindings[] = {
-    {.key = GLFW_KEY_BACKSPACE, .act = quit},
-    {.key = GLFW_KEY_P, .act = shoot},
-    {.key = GLFW_KEY_F11, .act = window_toggle_full_screen},
-    {.key = GLFW_KEY_TAB, .act = window_toggle_orthographic},
-    {.key = GLFW_KEY_DELETE, .act = reset},
-    {.key = GLFW_KEY_HOME, .act = go_first},
-    {.key = GLFW_KEY_END, .act = go_last},
-    {.key = GLFW_KEY_X, .act = window_deselect_ray},
-    {.key = GLFW_KEY_ENTER, .act = window_next_handle},
-    {.key = GLFW_KEY_ESCAPE, FLAG(paused)},
-    {.key = GLFW_KEY_H, .act = hide},
-    {.key = GLFW_KEY_K, FLAG(panel.helps)},
-    {.key = GLFW_KEY_O, FLAG(panel.right)},
-    {.key = GLFW_KEY_T, FLAG(panel.rolled)},
-    {NULL, restart, GLFW_KEY_R, false, true, false},
-    {NULL, window_take_back, GLFW_KEY_U, 1, INT_MAX, true},
-    {NULL, select_next, GLFW_KEY_UP, -1, -10, true},
-    {NULL, select_next, GLFW_KEY_DOWN, 1, 10, true},
-    {NULL, change, GLFW_KEY_LEFT, -1, -10, true},
-    {NULL, change, GLFW_KEY_RIGHT, 1, 10, true},
-    {NULL, window_step, GLFW_KEY_E, 1, 1, true},
-    {NULL, window_step, GLFW_KEY_Q, -1, -1, true},
-    {NULL, change_scene, GLFW_KEY_N, 1, -1, false},
-    // Page Down and Page Up are the keys of a presenter's remote control.
-    {NULL, turn_page, GLFW_KEY_PAGE_DOWN, 1, 1, false},
-    {NULL, turn_page, GLFW_KEY_PAGE_UP, -1, -1, false},
-    {NULL, step_by_page, GLFW_KEY_PAGE_DOWN, 1, 1, true},
-    {NULL, step_by_page, GLFW_KEY_PAGE_UP, -1, -1, true},
+// The order is that of the overlay's list. Page Down and Page Up are the keys of a presenter's
+// remote control.
+#define VIEW_KEY(id, kind, key, name)  " " key
+#define VIEW_WORD(id, kind, key, name) " " key " " name
+// clang-format off
+const struct key_row window_keys[] = {
+    {.label = "Page Up Page Down", .does = "scene, step", .condition = KEY_IN_LECTURE,
+     .meaning = "in a lecture, go to the scene before or to the next one; if the scene began with the "
+                "steps of a ray, first to its next step. Elsewhere the same as Q and E",
+     .binding = {{GLFW_KEY_PAGE_DOWN, .change = turn_page, .amount = 1, .shifted = 1},
+                 {GLFW_KEY_PAGE_UP, .change = turn_page, .amount = -1, .shifted = -1},
+                 {GLFW_KEY_PAGE_DOWN, .change = step_by_page, .amount = 1, .shifted = 1, .repeats = true},
+                 {GLFW_KEY_PAGE_UP, .change = step_by_page, .amount = -1, .shifted = -1, .repeats = true}}},
+    {.label = "N", .does = "next scene", .condition = KEY_IN_LECTURE,
+     .meaning = "in a lecture, and in the list of a class's wrong pictures, go to the next scene without "
+                "the steps of a ray; with Shift, go back",
+     .binding = {{GLFW_KEY_N, .change = change_scene, .amount = 1, .shifted = -1}}},
+    {.label = "Shift+1…9", .does = "part", .condition = KEY_IN_LECTURE,
+     .meaning = "in a lecture, go to a part",
+     .binding = {{0}}}, // ask_part
+    {.label = "W A S D", .does = "move",
+     .meaning = "move horizontally. In most chapters from 03 on, the camera stops at the ground and at the "
+                "water"},
+    {.label = "Space C", .does = "up, down", .meaning = "move up or down; Left Ctrl is the same as C"},
+    {.label = "Shift F", .does = "faster", .meaning = "hold one of them to move faster"},
+    {.label = "drag", .does = "look around",
+     .meaning = "look around; on the line between two pictures of --compare, move this line"},
+    {.label = "M", .does = "capture mouse",
+     .meaning = "capture the mouse, so that you can look around without holding a button, or release it"},
+    {.label = "click", .does = "select ray",
+     .meaning = "select a pixel and show the march of its ray step by step; on a line of that table, go to "
+                "the step. A second click on the same pixel deselects it. When the camera moves, the ray "
+                "stays where it is in space"},
+    {.label = "Q E", .does = "step back, on",
+     .meaning = "go one step back or forward along the ray; hold to repeat. If no ray is selected, they "
+                "select the ray of the middle pixel",
+     .binding = {{GLFW_KEY_E, .change = window_step, .amount = 1, .shifted = 1, .repeats = true},
+                 {GLFW_KEY_Q, .change = window_step, .amount = -1, .shifted = -1, .repeats = true}}},
+    {.label = "Home End", .does = "first, last step", .condition = KEY_WITH_RAY,
+     .meaning = "go to the ray's first or last step. If no ray is selected, Home resets the parameter",
+     .binding = {{GLFW_KEY_HOME, .act = go_first}, {GLFW_KEY_END, .act = go_last}}},
+    {.label = "X", .does = "deselect ray", .condition = KEY_WITH_RAY, .meaning = "deselect the ray",
+     .binding = {{GLFW_KEY_X, .act = window_deselect_ray}}},
+    {.label = "wheel", .does = "zoom",
+     .meaning = "change the focal length; in the slice and the plot, zoom"},
+    {.label = &(SHADER_VIEWS(VIEW_KEY))[1], .does = "view",
+     .meaning = "switch to another view, also on the number pad:" SHADER_VIEWS(VIEW_WORD),
+     .binding = {{GLFW_KEY_1, .change = window_show_view, .count = SHADER_VIEW_COUNT}}},
+    {.label = "↑ ↓", .does = "select", .condition = KEY_WITH_PARAMETERS,
+     .meaning = "select a parameter, which the overlay and the title bar show",
+     .binding = {{GLFW_KEY_UP, .change = select_next, .amount = -1, .shifted = -10, .repeats = true},
+                 {GLFW_KEY_DOWN, .change = select_next, .amount = 1, .shifted = 10, .repeats = true}}},
+    {.label = "← →", .does = "change", .condition = KEY_WITH_PARAMETERS,
+     .meaning = "change the selected parameter; with Shift, by ten steps",
+     .binding = {{GLFW_KEY_LEFT, .change = change, .amount = -1, .shifted = -10, .repeats = true},
+                 {GLFW_KEY_RIGHT, .change = change, .amount = 1, .shifted = 10, .repeats = true}}},
+    {.label = "Delete", .does = "reset", .condition = KEY_WITH_PARAMETERS,
+     .meaning = "reset the selected parameter",
+     .binding = {{GLFW_KEY_DELETE, .act = reset}}},
+    {.label = "Enter", .does = "next handle", .condition = KEY_WITH_HANDLES,
+     .meaning = "focus the next handle, a point of the picture that you can drag; the arrow keys then move it",
+     .binding = {{GLFW_KEY_ENTER, .act = window_next_handle}}},
+    {.label = "U Shift+U", .does = "undo stroke, all", .condition = KEY_WITH_TOOL,
+     .meaning = "with the tool of chapter 23, whose drags change the clay, take back the last stroke or all "
+                "of them",
+     .binding = {{GLFW_KEY_U, .change = window_take_back, .amount = 1, .shifted = INT_MAX, .repeats = true}}},
+    {.label = "Tab", .does = "orthographic", .condition = KEY_WITH_PROJECTIONS,
+     .meaning = "switch between the perspective and the orthographic view, if the shader has both",
+     .binding = {{GLFW_KEY_TAB, .act = window_toggle_orthographic}}},
+    {.label = "Esc", .does = "pause", .meaning = "pause or resume",
+     .binding = {{GLFW_KEY_ESCAPE, .act = pause}}},
+    {.label = "R", .does = "restart", .meaning = "restart the time; with Shift, also reset the camera",
+     .binding = {{GLFW_KEY_R, .change = restart, .amount = false, .shifted = true}}},
+    {.label = "P", .does = "screenshot", .meaning = "save a screenshot in the current folder",
+     .binding = {{GLFW_KEY_P, .act = shoot}}},
+    {.label = "H", .does = "hide overlay",
+     .meaning = "hide or show the overlay; the table of a ray is hidden only in the slice and the plot",
+     .binding = {{GLFW_KEY_H, .act = hide}}},
+    {.label = "K", .does = "fewer keys", .meaning = "show all keys and ranges in the overlay, or fewer",
+     .binding = {{GLFW_KEY_K, .act = show_keys}}},
+    {.label = "O", .does = "other side", .meaning = "move the panel of parameters to the other side",
+     .binding = {{GLFW_KEY_O, .act = change_side}}},
+    {.label = "T", .does = "collapse panel", .meaning = "collapse the panel to its title, or expand it",
+     .binding = {{GLFW_KEY_T, .act = roll}}},
+    {.label = "F11", .does = "full screen", .meaning = "switch to full screen, or back",
+     .binding = {{GLFW_KEY_F11, .act = window_toggle_full_screen}}},
+    {.label = "Backspace", .does = "quit", .meaning = "quit",
+     .binding = {{GLFW_KEY_BACKSPACE, .act = quit}}},
+    {0}
 };
+// clang-format on
+_Static_assert(sizeof window_keys / sizeof *window_keys - 1 <= WINDOW_KEYS, "no room for all keys");
 
 // In a lecture, Shift with a digit from 1 to 9 asks for a part. Returns true for such a key.
 static bool ask_part(struct window *window, const struct window_event *event)
@@ -184,18 +249,16 @@ static void press_key(struct window *window, const struct window_event *event)
         return;
     bool pad = event->amount >= GLFW_KEY_KP_0 && event->amount <= GLFW_KEY_KP_9;
     int key = pad ? event->amount - GLFW_KEY_KP_0 + GLFW_KEY_0 : event->amount;
-    if (key >= GLFW_KEY_1 && key < GLFW_KEY_1 + SHADER_VIEW_COUNT && !event->repeated) {
-        window_show_view(window, key - GLFW_KEY_1);
-        window->dirty = true;
-        window->title.due = 0.0;
-    }
-    for (size_t i = 0; i < sizeof bindings / sizeof *bindings; i++)
-        if (bindings[i].key == key && (bindings[i].repeats || !event->repeated)) {
-            if (bindings[i].act != NULL)
-                bindings[i].act(window);
+    for (const struct key_row *row = window_keys; row->label != NULL; row++)
+        for (const struct key_binding *at = row->binding; at < row->binding + KEY_BINDINGS; at++) {
+            int index = key - at->key;
+            if (at->key == 0 || index < 0 || index > at->count - (at->count > 0) ||
+                (event->repeated && !at->repeats))
+                continue;
+            if (at->act != NULL)
+                at->act(window);
             else
-                bindings[i].change(window,
-                                   event->shifted ? bindings[i].shifted : bindings[i].amount);
+                at->change(window, (event->shifted ? at->shifted : at->amount) + index);
             window->dirty = true;
             window->title.due = 0.0;
         }

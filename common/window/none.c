@@ -3,6 +3,9 @@
 #include "window/window.h"
 
 #include "report.h"
+#include "window/keys.h"
+
+const struct key_row window_keys[] = {{0}};
 
 struct window *window_open(struct context *context, const struct window_start *start)
 {
