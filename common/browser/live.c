@@ -7,6 +7,7 @@
 #include "browser/chapters.h"
 #include "browser/state.h"
 #include "chapter.h"
+#include "command/options.h"
 #include "json.h"
 #include "memory.h"
 #include "picture/comparison.h"
@@ -17,15 +18,14 @@
 #include "window/state.h"
 #include "window/window.h"
 
-#define ROOT      "/course" // the current folder, to which the page writes the course's files
-#define ARGUMENTS 64
+#define ROOT "/course" // the current folder, to which the page writes the course's files
 
 static struct {
     struct chapter chapter;
     struct run *run; // NULL before the first start and after a stop
     const struct live_chapter *program;
     char *line; // the command line, split into arguments
-    char *argument[ARGUMENTS + 1];
+    char *argument[OPTIONS_WORDS + 1];
     int count;
     bool visits;  // main only visits the files that it needs
     bool begins;  // main only has the driver start compiling
@@ -52,26 +52,6 @@ static void forget(void)
 
 // ---- A command line ----
 
-// Split the first word off a line as a shell does, removing the quotes. Returns the rest of the
-// line, or NULL if there is no word.
-static char *split_word(char *c, char **word)
-{
-    c += strspn(c, " \t\n");
-    if (*c == '\0')
-        return NULL;
-    char quote = '\0', *to = *word = c;
-    for (; *c != '\0' && (quote != '\0' || strchr(" \t\n", *c) == NULL); c++)
-        if (*c == quote)
-            quote = '\0';
-        else if (quote == '\0' && (*c == '\'' || *c == '"'))
-            quote = *c;
-        else
-            *to++ = *c;
-    char *rest = *c != '\0' ? c + 1 : c;
-    *to = '\0';
-    return rest;
-}
-
 // Find the chapter, and split its command line into the arguments of main. Returns false after
 // reporting the error.
 static bool split(const char *stem, const char *line)
@@ -83,13 +63,9 @@ static bool split(const char *stem, const char *line)
         return report("%s: there is no such chapter", stem);
     free(live.line);
     live.line = memory_text("%s --root " ROOT " %s", stem, line);
-    live.count = 0;
-    for (char *rest = live.line, *word; (rest = split_word(rest, &word)) != NULL;) {
-        if (live.count == ARGUMENTS)
-            return report("%s: the command line has more than %d words", stem, ARGUMENTS);
-        live.argument[live.count++] = word;
-    }
-    live.argument[live.count] = NULL;
+    live.count = options_split(live.line, live.argument);
+    if (live.count < 0)
+        return false;
     platform_set("DISPLAY", "canvas", true); // without DISPLAY, context/glfw.c opens no window
     return true;
 }

@@ -7,18 +7,16 @@
 #include "memory.h"
 #include "report.h"
 
-#define WORDS 64 // elements of a scene's argv, including the final NULL
-
 struct scene {
-    int line;          // its line number in the list
-    int part;          // index of its part, from 1; 0 if no part has begun yet
-    const char *text;  // its line in the list: the chapter and the options
-    char *word[WORDS]; // argv; the strings are in words
-    char *words;       // owned
-    char *sentence;    // in the list, like text; NULL if there is none
-    char *end;         // the end of the sentence
-    char *caption;     // its number and sentence, owned
-    struct run run;    // its options, and its pictures if they are compiled
+    int line;                      // its line number in the list
+    int part;                      // index of its part, from 1; 0 if no part has begun yet
+    const char *text;              // its line in the list: the chapter and the options
+    char *word[OPTIONS_WORDS + 1]; // argv; the strings are in words
+    char *words;                   // owned
+    char *sentence;                // in the list, like text; NULL if there is none
+    char *end;                     // the end of the sentence
+    char *caption;                 // its number and sentence, owned
+    struct run run;                // its options, and its pictures if they are compiled
     struct window_start start;
 };
 
@@ -37,35 +35,6 @@ struct lecture {
 };
 
 // ---- The list ----
-
-// Split a scene's line into words as a shell does, removing the quotes. Returns the number of
-// words, or -1 after reporting the error.
-static int split(struct scene *scene, char *to)
-{
-    const char *from = scene->text;
-    int count = 0;
-    while (*(from += strspn(from, " \t")) != '\0') {
-        char quote = '\0';
-        if (count == WORDS - 1) {
-            report("a scene has at most %d words", WORDS - 1);
-            return -1;
-        }
-        scene->word[count++] = to;
-        for (; *from != '\0' && (quote != '\0' || strchr(" \t", *from) == NULL); from++)
-            if (*from == quote)
-                quote = '\0';
-            else if (quote == '\0' && (*from == '\'' || *from == '"'))
-                quote = *from;
-            else
-                *to++ = *from;
-        *to++ = '\0';
-        if (quote != '\0') {
-            report("a quote, %c, is not closed", quote);
-            return -1;
-        }
-    }
-    return count;
-}
 
 // Find a chapter by its number or stem: "03", "3" or "03_shadows". Returns NULL after reporting the
 // error.
@@ -88,8 +57,8 @@ static const struct lecture_chapter *find(const struct lecture_chapter *chapters
 
 static int read_scene(struct scene *scene, const struct lecture_chapter *chapters, int count)
 {
-    scene->words = memory_zeros(strlen(scene->text) + 2, 1);
-    int words = split(scene, scene->words);
+    scene->words = memory_text("%s", scene->text);
+    int words = options_split(scene->words, scene->word);
     const struct lecture_chapter *chapter =
         words > 0 ? find(chapters, count, scene->word[0]) : NULL;
     if (chapter == NULL || !run_parse(&scene->run, chapter->stem, chapter->title, &chapter->camera,

@@ -15,6 +15,35 @@ static bool refuse_unknown(const char *word, size_t length)
     return report("unknown option '%.*s': --help lists the options", (int)length, word);
 }
 
+int options_split(char *line, char *word[OPTIONS_WORDS + 1])
+{
+    static const char blanks[] = " \t\n";
+    int count = 0;
+    for (char *from = line; *(from += strspn(from, blanks)) != '\0'; count++) {
+        char quote = '\0', *to = from;
+        if (count == OPTIONS_WORDS) {
+            report("a line has at most %d words", OPTIONS_WORDS);
+            return -1;
+        }
+        word[count] = from;
+        for (; *from != '\0' && (quote != '\0' || strchr(blanks, *from) == NULL); from++)
+            if (*from == quote)
+                quote = '\0';
+            else if (quote == '\0' && (*from == '\'' || *from == '"'))
+                quote = *from;
+            else
+                *to++ = *from;
+        if (quote != '\0') {
+            report("a quote, %c, is not closed", quote);
+            return -1;
+        }
+        from += *from != '\0';
+        *to = '\0';
+    }
+    word[count] = NULL;
+    return count;
+}
+
 // Apply an option.
 //   text  the value if it is in the same word as the option, otherwise NULL
 //   next  the words that follow, ended by NULL; a value that is the next word is skipped

@@ -61,6 +61,14 @@ struct options {
     const char *root;   // --root; NULL if it is found from the program's folder
 };
 
+enum { OPTIONS_WORDS = 64 }; // maximum number of words of a line
+
+// Split a line into words as a shell does, removing the quotes. The words lie in the line, which is
+// changed.
+//   word  receives argv: the words, and NULL
+// Returns the number of words, or -1 after reporting the error: too many words, or an open quote.
+int options_split(char *line, char *word[OPTIONS_WORDS + 1]);
+
 // Read the command line, and check its syntax, its ranges, and what the options require of each
 // other. Names and ranges of parameters are not checked, because only the shader knows them.
 //   options  receives the values; the caller frees them with options_free

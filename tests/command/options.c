@@ -5,23 +5,14 @@
 #include "lib/scratch.h"
 #include "lib/system.h"
 
-#define WORDS 32
-
-// Parse a command line whose words are separated by spaces; the word '' stands for an empty one.
-// The words are valid until the next call.
+// Parse a command line. The words are valid until the next call.
 static bool parse(struct options *options, const char *line)
 {
     static char text[4096];
-    static char *words[WORDS + 1];
-    int count = 0;
+    static char *words[OPTIONS_WORDS + 1];
     snprintf(text, sizeof text, "program %s", line);
-    for (char *word = strtok(text, " "); word != NULL; word = strtok(NULL, " ")) {
-        assert_true(count < WORDS);
-        if (strcmp(word, "''") == 0)
-            word[0] = '\0';
-        words[count++] = word;
-    }
-    words[count] = NULL;
+    int count = options_split(text, words);
+    assert_true(count > 0);
     return options_parse(options, count, words);
 }
 
@@ -391,6 +382,28 @@ TEST(the_help_names_the_options)
             fail_msg("'%s' is missing", words[i]);
     for (const char *c = help; *c != '\0'; c += strcspn(c, "\n") + 1)
         assert_true(strcspn(c, "\n") <= 100);
+}
+
+TEST(a_line_is_split_as_a_shell_does)
+{
+    char line[] = " 03  --set\t'a b'\n-o \"it's\"x'' ''", *word[OPTIONS_WORDS + 1];
+    static const char *const words[] = {"03", "--set", "a b", "-o", "it'sx", ""};
+    assert_int_equal(options_split(line, word), 6);
+    for (int i = 0; i < 6; i++)
+        assert_string_equal(word[i], words[i]);
+    assert_null(word[6]);
+    char blank[] = " \t", open[] = "a 'b", many[3 * OPTIONS_WORDS + 1];
+    assert_int_equal(options_split(blank, word), 0);
+    for (int i = 0; i < OPTIONS_WORDS; i++)
+        memcpy(many + 2 * i, "a ", 3);
+    assert_int_equal(options_split(many, word), OPTIONS_WORDS);
+    memcpy(many + 2 * OPTIONS_WORDS - 2, "b c", 4);
+    for (int i = 0; i < OPTIONS_WORDS - 1; i++)
+        memcpy(many + 2 * i, "a ", 2);
+    capture_begin();
+    assert_int_equal(options_split(open, word), -1);
+    assert_int_equal(options_split(many, word), -1);
+    assert_string_equal(capture_end(), "a quote, ', is not closed\na line has at most 64 words\n");
 }
 
 TESTS(NULL, NULL)
