@@ -1,5 +1,6 @@
 #include "shader/dialect.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,12 +8,12 @@
 #include "context/gl.h"
 #include "memory.h"
 #include "report.h"
-#include "shader/growth.h"
 #include "shader/inputs.h"
 #include "shader/parameter.h"
 #include "shader/translate.h"
 
 #define ARRAY_LIMIT  65536 // maximum number of elements of an array
+#define MACRO_LIMIT  4e6   // maximum number of a macro's tokens; Mesa needs up to 1 kB for each
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
 // ---- Files of other kinds ----
@@ -100,10 +101,31 @@ static bool check_kind(const struct shader_source *source)
            refuse_vertex(source);
 }
 
+// The first mention outside directives of a macro that expands to more than MACRO_LIMIT tokens, or
+// NULL. A macro counts only in those defined after it, and arguments do not count.
+static const struct glsl_token *find_bomb(const struct glsl *code)
+{
+    double *size = memory_zeros((size_t)code->name_count + 1, sizeof *size);
+    const struct glsl_token *t = code->item;
+    while (t->kind != GLSL_END &&
+           !(t->kind == GLSL_WORD && t->live && !t->directive && size[t->name] > MACRO_LIMIT)) {
+        const struct glsl_token *hash = t++;
+        if (hash->kind != GLSL_HASH || !hash->live || !glsl_is(t, "define") ||
+            t[1].kind != GLSL_WORD)
+            continue;
+        double tokens = 0.0;
+        for (t += 2; t->directive && t->kind < GLSL_HASH; t++)
+            tokens += t->kind == GLSL_WORD ? fmax(size[t->name], 1.0) : 1.0;
+        size[hash[2].name] = tokens;
+    }
+    free(size);
+    return t->kind != GLSL_END ? t : NULL;
+}
+
 // Refuse a text that contains only comments, and two kinds of text that cost some drivers minutes
-// and all the memory: a huge array with a literal number of elements, and macros or functions whose
-// expansion doubles again and again. A constant can hide the size of an array, so guard_begin also
-// limits the memory that a driver may use.
+// and all the memory: a huge array with a literal number of elements, and macros that double again
+// and again. Other such texts end the program, because guard_begin limits the memory that a driver
+// may use; after these two, a window keeps its last picture.
 static bool check_sense(const struct shader_source *source)
 {
     const struct glsl *code = &source->code;
@@ -120,13 +142,11 @@ static bool check_sense(const struct shader_source *source)
                                  "an array of %.20s elements: at most %d are allowed", number->text,
                                  ARRAY_LIMIT);
     }
-    t = growth_find(code);
-    return t == NULL ||
-           shader_refuse(
-               source, t->line,
-               "%.40s: makes the code expand to more than %.0f million tokens, including "
-               "all macros and functions, which is more than a graphics driver can compile",
-               t->text, GROWTH_LIMIT / 1e6);
+    t = find_bomb(code);
+    return t == NULL || shader_refuse(source, t->line,
+                                      "%.40s: this macro expands to more than %.0f million tokens, "
+                                      "more than a graphics driver can compile: shorten it",
+                                      t->text, MACRO_LIMIT / 1e6);
 }
 
 static bool refuse_image(const struct shader_source *source, const struct glsl_token *image)

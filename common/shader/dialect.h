@@ -15,7 +15,7 @@
 // output of --print-shader for a course file, are in the course's dialect.
 // Returns false after reporting the error with file and line. The errors are: anything that
 // shader_expand or translate refuses; a file of another kind; nothing but comments; an array whose
-// literal size exceeds 65536; more tokens than growth.h allows; a #version above an include of
+// literal size exceeds 65536; a macro of more than 4 million tokens; a #version above an include of
 // main.glsl; a mainImage whose first parameter is not an output; and gl_FragColor in a file that
 // defines mainImage. Free with shader_free.
 bool shader_read_asked(struct shader_source *source, const char *path, const char *root,

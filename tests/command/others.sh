@@ -157,7 +157,7 @@ if [ "$BUILD" = build ]; then
     limited() { (ulimit -v 3900000; bomb); } # less than the 4e9 bytes that the program allows each compilation
     check 'constants that hide a huge array are reported under the memory limit of the process' limited
 fi
-refused bomb 'bomb.frag:42: A40: makes the code expand to more than 4 million' 'macros that double 40 times are refused' \
+refused bomb 'bomb.frag:42: A40: this macro expands to more than 4 million' 'macros that double 40 times are refused' \
     < <(echo '#define A0 p.x'; for i in {1..40}; do echo "#define A$i A$((i - 1)) + A$((i - 1))"; done; echo "$head { c = vec4(A40); }")
 
 # ---- make play ----

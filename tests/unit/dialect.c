@@ -251,64 +251,24 @@ IN_PROJECT(test_meaningless_texts_are_refused)
     assert_non_null(strstr(said, "main.frag: contains only comments"));
 }
 
-// A text of count numbered lines and a last line. In the formats below, the name in each line
-// expands to two copies of the name with the next smaller number.
-//   line     the format: "%1$d" is the line's number, and "%2$d" is one less
-//   ascends  true if the numbers ascend from 1, false if they descend to 1
-// Returns a text that is valid until the next call.
-static const char *doubled(const char *line, int count, bool ascends, const char *last)
+// What grows: macros that double, an if within an if, and functions that call another one twice.
+IN_PROJECT(test_only_a_macro_that_expands_too_much_is_refused)
 {
-    static char text[8192];
-    size_t used = 0;
-    for (int i = 1; i <= count; i++) {
-        int number = ascends ? i : count + 1 - i;
-        used += (size_t)snprintf(text + used, sizeof text - used, line, number, number - 1);
+    char macros[2048] = "#define A0 1.0\n", ifs[2048] = "", ends[64] = "", calls[2048] = "";
+    for (int i = 1; i <= 28; i++) {
+        memory_append(macros, sizeof macros, "#define A%d A%d + A%d\n", i, i - 1, i - 1);
+        memory_append(ifs, sizeof ifs, "if (o.x > %d.0) { ", i);
+        memory_append(ends, sizeof ends, "}");
+        memory_append(calls, sizeof calls, "float f%d() { return f%d() + f%d(); }\n", i, i - 1,
+                      i - 1);
     }
-    snprintf(text + used, sizeof text - used, "%s", last);
-    return text;
-}
-
-#define CALLS "float f0(float x) { return x; }\n"
-
-IN_PROJECT(test_texts_that_expand_too_much_are_refused)
-{
-    static const char macro[] = "#define A%1$d A%2$d + A%2$d\n",
-                      call[] = "#define D%1$d(x) D%2$d(x) + D%2$d(x)\n",
-                      function[] = "float f%1$d(float x) { return f%2$d(x) + f%2$d(x); }\n",
-                      use[] = "out vec4 o; void main() { o = vec4(%s); }\n";
-    struct shader_source source;
-    char text[16384];
-    snprintf(text, sizeof text, use, "A19");
-    source = read_well(doubled(macro, 19, true, text));
-    shader_free(&source);
-    source = read_well(doubled(macro, 28, true, text)); // macros that are not used cost nothing
-    shader_free(&source);
-    snprintf(text, sizeof text, use, "A28");
-    assert_refused(doubled(macro, 28, true, text),
-                   "main.frag:30: A28: makes the code expand to more than 4 mill");
-    assert_refused(doubled(macro, 28, false, text), "main.frag:30: A28: makes the code expand");
-    assert_refused(doubled(macro, 28, true, "float a = A28;\n"),
-                   "main.frag:30: A28: makes the code expand");
-    snprintf(text, sizeof text, use, "D28(1.0)");
-    assert_refused(doubled(call, 28, true, text), "main.frag:30: D28: makes the code expand");
-    snprintf(text, sizeof text, CALLS "%s", doubled(function, 28, true, "out vec4 o;\n"));
-    assert_refused(text, "main.frag:21: f18: makes the code expand");
-    // A macro that repeats its argument doubles the text at every level of nesting. A macro's name
-    // is not expanded again inside its own expansion.
-    char nested[512] = "1.0";
-    for (int i = 0; i < 24; i++) {
-        char before[512];
-        strcpy(before, nested);
-        snprintf(nested, sizeof nested, "D(%.500s)", before);
-    }
-    snprintf(text, sizeof text, "#define D(x) (x) + (x)\nfloat a = %s;\n", nested);
-    assert_refused(text, "main.frag:3: D: makes the code expand");
+    char text[8192];
+    snprintf(text, sizeof text, "%sout vec4 o; void main() { o = vec4(A28); }\n", macros);
+    assert_refused(text, "main.frag:31: A28: this macro expands to more than 4 million");
     snprintf(text, sizeof text,
-             "#define D(x) (x) + (x)\nout vec4 o; void main() { o = vec4(%s); }\n", nested);
-    assert_refused(text, "main.frag:3: D: makes the code expand");
-    source =
-        read_well("#define f(x) f(x + 1.0) + g\n#define g f(2.0)\n"
-                  "float h(float x) { return x; }\nout vec4 o; void main() { o = vec4(h(g)); }\n");
+             "%sfloat f0() { return 1.0; }\n%sout vec4 o; void main() { o = vec4(A20); %s%s }\n",
+             macros, calls, ifs, ends);
+    struct shader_source source = read_well(text);
     shader_free(&source);
 }
 

@@ -81,7 +81,7 @@ SESSION_TEST(a_saved_shader_is_loaded)
         snprintf(bomb + strlen(bomb), sizeof bomb - strlen(bomb), "#define A%d A%d + A%d\n", i,
                  i - 1, i - 1);
     save("mine.frag", bomb, "vec3(A28)");
-    assert_refused("A28: makes the code expand to more than 4 million", 255, 255);
+    assert_refused("A28: this macro expands to more than 4 million", 255, 255);
     remove(scratch_path("mine.frag"));
     assert_refused("mine.frag", 255, 255);
     save("mine.frag", "", "vec3(0.0, 0.0, mine)");
