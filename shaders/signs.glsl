@@ -3,13 +3,38 @@
 // Compiled only with the files that write text.
 #if VIEW_OF_TRACE || VIEW == VIEW_SLICE || VIEW == VIEW_PLOT || defined(FIGURE)
 
+const int SIGN_POINT = 10, SIGN_MINUS = 11;
+const int SIGN_T = 1, SIGN_DISTANCE = 2, SIGN_THRESHOLD = 3, SIGN_HIT = 4, SIGN_MISS = 5, SIGN_GIVEN_UP = 6;
+
+#ifdef SHADERTOY
+
+// Shadertoy has no texture with these signs, so each sign of row 0 has 3 by 5 full cells: bit 3 r + c is the cell in
+// row r from below and column c.
+const int SIGN_CELLS[12] = int[](0x7b6f, 0x2697, 0x79cf, 0x79e7, 0x5be4, 0x73e7, 0x73ef, 0x7912, 0x7bef, 0x7be7, 0x0001,
+                                 0x01c0);
+
+// The side of a cell, pixels.
+int signCell()
+{
+    return max(int(iResolution.y / 180.0 + 0.5), 2);
+}
+
+// The share of a pixel that the signs of row 0 cover, 0 or 1. The parameters are those of the other signCover.
+float signCover(int row, ivec2 at)
+{
+    int cell = signCell(), wide = 4 * cell, sign = at.x / wide;
+    ivec2 inside = ivec2(at.x - sign * wide - cell / 2, at.y);
+    if (row != 0 || sign > SIGN_MINUS || min(inside.x, inside.y) < 0 || inside.x >= 3 * cell || inside.y >= 5 * cell)
+        return 0.0;
+    return float(SIGN_CELLS[sign] >> (3 * (inside.y / cell) + inside.x / cell) & 1);
+}
+
+#else
+
 // The coverage of each sign's pixels, from a font (common/picture/axis_labels.c). A row is 8 cells high, and the
 // baseline of its signs is 2 cells above its lower end. Row 0 contains the digits, the point and the minus, each in the
 // middle of 4 cells, except the point, which is in the middle of 2; each further row contains a word.
 uniform sampler2D iSigns;
-
-const int SIGN_POINT = 10, SIGN_MINUS = 11;
-const int SIGN_T = 1, SIGN_DISTANCE = 2, SIGN_THRESHOLD = 3, SIGN_HIT = 4, SIGN_MISS = 5, SIGN_GIVEN_UP = 6;
 
 // The side of a cell, pixels.
 int signCell()
@@ -26,6 +51,8 @@ float signCover(int row, ivec2 at)
         return 0.0;
     return texelFetch(iSigns, at + ivec2(0, (8 * row + 2) * cell), 0).r;
 }
+
+#endif
 
 // The share of a pixel that a word covers, in [0, 1].
 //   word    SIGN_T, ...

@@ -21,6 +21,7 @@ struct export
     const struct camera *camera;
     float focal_length;
     const struct glsl *code; // the source's tokens
+    bool writes;             // the file is a figure, which may write numbers
     FILE *text;
 };
 
@@ -109,12 +110,13 @@ static int put_meaning(struct export *e, const struct input *input)
 // ---- The course's dialect ----
 
 // True for files that only the harness needs: its main, the views and the probe.
-static bool is_left_out(const char *file)
+static bool is_left_out(const struct export *e, const char *file)
 {
     static const char *const names[] = {
-        "shaders/main.glsl",  "shaders/views.glsl", "shaders/ramp.glsl",
-        "shaders/slice.glsl", "shaders/plot.glsl",  "shaders/projection.glsl",
-        "shaders/signs.glsl", "shaders/cover.glsl", "shaders/room.glsl"};
+        "shaders/main.glsl", "shaders/views.glsl",      "shaders/ramp.glsl",  "shaders/slice.glsl",
+        "shaders/plot.glsl", "shaders/projection.glsl", "shaders/cover.glsl", "shaders/room.glsl"};
+    if (strcmp(file, "shaders/signs.glsl") == 0)
+        return !e->writes;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(file, names[i]) == 0)
             return true;
@@ -126,7 +128,8 @@ static int mentions(const struct export *e, const char *name)
 {
     int count = 0;
     for (const struct glsl_token *t = e->code->item; t->kind != GLSL_END; t++)
-        count += glsl_is(t, name) && !is_left_out(e->source->files[e->source->lines[t->line].file]);
+        count +=
+            glsl_is(t, name) && !is_left_out(e, e->source->files[e->source->lines[t->line].file]);
     return count;
 }
 
@@ -183,7 +186,7 @@ static void put_files(struct export *e)
         const struct glsl_token *uniform = NULL;
         for (; t->kind != GLSL_END && t->line == i; t++)
             uniform = uniform == NULL && glsl_is(t, "uniform") ? t : uniform;
-        if (is_left_out(name))
+        if (is_left_out(e, name))
             continue;
         if (from != file && from == 0)
             put_name(e, "\n// ---- ");
@@ -218,6 +221,8 @@ static void put_course(struct export *e)
     put_views(e);
     if (mentions(e, "EXPORTED") > 0)
         fprintf(e->text, "#define EXPORTED\n");
+    if (mentions(e, "SHADERTOY") > 0)
+        fprintf(e->text, "#define SHADERTOY\n");
     put_files(e);
     fprintf(e->text, "\n// ---- The function that Shadertoy calls ----\n\n"
                      "void mainImage(out vec4 fragColor, in vec2 fragCoord)\n"
@@ -301,12 +306,16 @@ static const char *picture_of(const void *pictures, int i)
 char *export_shadertoy(struct shader_source *source, const struct parameters *parameters,
                        const struct camera *camera, float focal_length)
 {
+    bool figure = false;
+    for (int i = 0; i < source->file_count; i++)
+        figure |= strcmp(source->files[i], "shaders/figure.glsl") == 0;
     struct export e = {.source = source,
                        .parameters = parameters,
                        .basis = camera_basis_of(camera),
                        .camera = camera,
                        .focal_length = focal_length,
-                       .code = &source->code};
+                       .code = &source->code,
+                       .writes = figure};
     char *text;
     bool done = true;
     if (source->dialect == DIALECT_COURSE && parameters->samplers.count > 0) {

@@ -76,6 +76,15 @@ for file in chapters/experiments/*.frag chapters/solutions/*.frag; do
     case ${SYSTEM-}$file in Windows*/03_*) ;; Windows*) continue ;; esac
     passes "${file#chapters/}" "$BUILD/01_normal_colouring" -f "$file"
 done
+# Shadertoy's digits are not those of the font, so figures that write numbers are validated, and the others rendered too.
+for file in chapters/figures/*.frag; do
+    case ${SYSTEM-}$file in Windows*/03_*) ;; Windows*) continue ;; esac
+    if grep -q 'number(' "$file"; then
+        passes "${file#chapters/}" "$BUILD/01_normal_colouring" -f "$file"
+    else
+        exported "${file#chapters/}" "$BUILD/01_normal_colouring" -f "$file"
+    fi
+done
 
 # These files with their own main have spellings that the chapters do not use.
 printf '%s\n' '#version 330 core // comments with main, in and out' 'smooth in vec2 FragCoord; in highp float Time;' \
