@@ -182,7 +182,7 @@ TESTS := $(if $(SANITIZE),$(filter-out tests/shaders/% tests/pictures/%,$(TESTS)
 TESTS := $(TESTS:%.c=$(BUILD)/%$(EXE))
 
 programs: $(PROGRAMS) $(FIRST_STEPS)
-tests: $(TESTS) $(LECTURE) $(patsubst %,$(BUILD)/tests/%$(EXE),compare judge draw measure) $(if $(EXE)$(SANITIZE),,$(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES))
+tests: $(TESTS) $(LECTURE) $(patsubst %,$(BUILD)/tests/%$(EXE),compare judge draw measure own) $(if $(EXE)$(SANITIZE),,$(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES))
 fuzzer: $(BUILD)/tests/fuzz
 lecture_program: $(LECTURE)
 
@@ -215,6 +215,10 @@ $(TESTS): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.o $(TEST_PARTS)
 # The chapters are compiled to call live_run instead of chapter_run, so that a test receives their settings.
 TOGETHER_PARTS := $(STEMS:%=$(BUILD)/chapters/together/%.o) $(BUILD)/chapters.o
 $(BUILD)/tests/draw$(EXE): $(TOGETHER_PARTS)
+
+# A chapter that runs only the course's own shaders.
+$(BUILD)/tests/own$(EXE): $(BUILD)/chapters/01_normal_colouring.o $(BUILD)/tests/tools/own.o $(filter-out $(BUILD)/common/dialects/%,$(COMMON)) $(EXTRA)
+	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
 $(patsubst %,$(BUILD)/tests/%$(EXE),measure draw): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/tools/%.o $(TEST_PARTS)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(CMOCKA) $(LINK)

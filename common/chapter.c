@@ -10,16 +10,18 @@
 #include "platform.h"
 #include "report.h"
 #include "shader/compile.h"
-#include "shader/export.h"
+#include "shader/dialects.h"
 
 static int print_shader(struct run *run)
 {
     const struct options *options = &run->options;
     struct shader_source *source = &run->picture[0].source;
     char *text = NULL;
-    if (options->shadertoy)
-        text = export_shadertoy(source, &run->picture[0].parameters, &options->camera,
-                                RENDERER_FOCAL_LENGTH);
+    if (options->shadertoy && dialects.export_shadertoy == NULL)
+        report("--print-shader=shadertoy: this program was built without common/dialects/");
+    else if (options->shadertoy)
+        text = dialects.export_shadertoy(source, &run->picture[0].parameters, &options->camera,
+                                         RENDERER_FOCAL_LENGTH);
     else if (shader_has_view(source, options->view))
         text = shader_text(source, options->view);
     if (text == NULL)

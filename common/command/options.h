@@ -8,7 +8,7 @@
 #include "camera.h"
 #include "context/context.h"
 #include "picture/sculpture.h"
-#include "shader/dialect.h"
+#include "shader/view.h"
 
 #define OPTIONS_SIZE_LIMIT    16384 // maximum width and height in pixels
 #define OPTIONS_SAMPLES_LIMIT 8     // maximum number of samples along each side of a pixel

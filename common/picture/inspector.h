@@ -7,7 +7,7 @@
 
 #include "picture/overlay.h"
 #include "picture/probe.h"
-#include "shader/dialect.h"
+#include "shader/view.h"
 
 struct inspector {
     int pixel[2];

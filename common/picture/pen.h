@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 #include "picture/overlay.h"
-#include "shader/dialect.h"
+#include "shader/view.h"
 
 #define PEN_MARGIN  8.0f // distance of a panel from the picture's edge
 #define PEN_PADDING 7.0f // distance of the text from the panel's edge

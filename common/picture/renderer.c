@@ -32,7 +32,7 @@ bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *r
     char path[4096];
     *renderer = (struct renderer){.root = root, .focal_length = RENDERER_FOCAL_LENGTH};
     snprintf(path, sizeof path, "%s/shaders/screen.vert", root);
-    if (!shader_read(&renderer->vertex, path, root))
+    if (!shader_expand(&renderer->vertex, path, root, NULL))
         return false;
     renderer->gl = gl;
     gl->GenVertexArrays(1, &renderer->vertex_array);

@@ -6,11 +6,11 @@
 #include "context/guard.h"
 #include "memory.h"
 #include "report.h"
-#include "shader/translate.h"
+#include "shader/dialects.h"
 
 char *shader_text(const struct shader_source *source, enum shader_view view)
 {
-    char *prelude = dialect_prelude(source, view);
+    char *prelude = shader_prelude(source, view);
     char *text = memory_text("%s%s", prelude, source->body != NULL ? source->body : source->text);
     free(prelude);
     return text;
@@ -22,7 +22,8 @@ char *shader_text(const struct shader_source *source, enum shader_view view)
 static void report_failure(const struct shader_source *source, enum shader_view view,
                            const char *step, const char *log)
 {
-    if (log != NULL && dialect_refuses(source, log, strcmp(step, "link") == 0))
+    if (log != NULL && dialects.explain != NULL &&
+        dialects.explain(source, log, strcmp(step, "link") == 0))
         return;
     char *errors = shader_explain(source, view, log != NULL ? log : "");
     char *text = memory_text("%s: does not %s:\n%s", source->files[0], step, errors);
@@ -86,7 +87,7 @@ GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
     if (GL_IS_ES && program == 0 && step == SHADER_COMPILE_FRAGMENT && fragment->body != NULL) {
         // Desktop GLSL accepts integers as floats. If both texts fail, the error in the author's
         // text is reported.
-        char *floats = translate_floats(second), *other;
+        char *floats = dialects.with_floats(second), *other;
         program = shader_link_texts(gl, first, floats, &step, &other);
         free(floats);
         free(other);
@@ -100,7 +101,7 @@ GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
     free(first);
     free(second);
     free(log);
-    if (program != 0 && !dialect_accepts(fragment)) {
+    if (program != 0 && dialects.accept != NULL && !dialects.accept(fragment)) {
         gl->DeleteProgram(program);
         program = 0;
     }

@@ -4,12 +4,12 @@
 #define SHADER_COMPILE_H
 
 #include "context/gl.h"
-#include "shader/dialect.h"
 #include "shader/inputs.h"
 #include "shader/program.h"
+#include "shader/read.h"
 #include "shader/source.h"
 
-// The text to compile: the prelude of dialect.h, then the expanded text, translated if necessary.
+// The text to compile: the prelude, then the expanded text, translated if necessary.
 // Returns memory that the caller frees.
 char *shader_text(const struct shader_source *source, enum shader_view view);
 

@@ -1,147 +1,40 @@
 #include "shader/inputs.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "memory.h"
 #include "shader/source.h"
 
-#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
-
-// The position in the picture, as fractions of its width and height.
-#define SHARE "0.5 * harnessPosition / vec2(iResolution.x / iResolution.y, 1.0) + 0.5"
-#define SOUND "there is no sound here"
-#define SELF  "there is no earlier picture here"
-#define MIDI  "there is no MIDI here"
-
-// The table of inputs.
 // clang-format off
-#define FLOAT(name, meaning)   {name, "float", INPUT_##meaning, 0, ""}
-#define INT(name, meaning)     {name, "int", INPUT_##meaning, 0, ""}
-#define VEC2(name, meaning)    {name, "vec2", INPUT_##meaning, 0, ""}
-#define VEC3(name, meaning)    {name, "vec3", INPUT_##meaning, 0, ""}
-#define VEC4(name, meaning)    {name, "vec4", INPUT_##meaning, 0, ""}
-#define CHANNEL(name, channel) {name, "sampler2D", INPUT_CHANNEL, channel, ""}
-#define POSITION(name, value)     {name, "vec2", INPUT_POSITION, 0, value}
-#define SILENT(name, why)      {name, "sampler2D", INPUT_SILENT, 0, why}
-
-enum { COURSE_BEGIN = 6, TOY_END = 12, COURSE_END = 22 }; // indices of rows
-
 static const struct input rows[] = {
-    // Shadertoy
-    FLOAT("iFrameRate", RATE), CHANNEL("iChannel0", 0), CHANNEL("iChannel1", 1),
-    CHANNEL("iChannel2", 2), CHANNEL("iChannel3", 3),
-    {"iChannelResolution", "vec3[4]", INPUT_CHANNEL_SIZE, -1, ""},
-    // Shadertoy and the course
-    VEC3("iResolution", SIZE), FLOAT("iTime", TIME), FLOAT("iTimeDelta", STEP),
-    INT("iFrame", FRAME), VEC4("iMouse", MOUSE), VEC4("iDate", DATE),
-    // The course
-    VEC3("iCameraPosition", EYE), VEC3("iCameraRight", RIGHT), VEC3("iCameraUp", UP),
-    VEC3("iCameraForward", FORWARD), FLOAT("focalLength", FOCAL), FLOAT("iOrthoView", ORTHO),
-    VEC2("iPixelOffset", DRAW), VEC2("iPixelJitter", DRAW), INT("iSample", DRAW),
-    INT("iSamples", DRAW),
-    // Shadertoy's old name for iTime, and two inputs that are not supported
-    FLOAT("iGlobalTime", TIME),
-    {"iChannelTime", "float[4]", INPUT_REFUSED, 0, "there are no films or sounds here"},
-    {"iSampleRate", "float", INPUT_REFUSED, 0, SOUND},
-    // The Book of Shaders, glslViewer, glsl.app
-    VEC2("u_resolution", SIZE), FLOAT("u_time", TIME), VEC2("u_mouse", POINTER),
-    FLOAT("u_delta", STEP), VEC4("u_date", DATE), INT("u_frame", FRAME), CHANNEL("u_tex0", 0),
-    CHANNEL("u_tex1", 1), CHANNEL("u_tex2", 2), CHANNEL("u_tex3", 3),
-    {"u_tex0Resolution", "vec2", INPUT_CHANNEL_SIZE, 0, ""},
-    {"u_tex1Resolution", "vec2", INPUT_CHANNEL_SIZE, 1, ""},
-    {"u_tex2Resolution", "vec2", INPUT_CHANNEL_SIZE, 2, ""},
-    {"u_tex3Resolution", "vec2", INPUT_CHANNEL_SIZE, 3, ""}, POSITION("v_texcoord", SHARE),
-    POSITION("uv", SHARE),
-    // GLSL Sandbox, twigl, veda, Hydra, KodeLife
-    VEC2("resolution", SIZE), FLOAT("time", TIME), VEC2("mouse", POINTER_SHARE),
-    FLOAT("frame", FRAME), VEC4("date", DATE),
-    POSITION("surfacePosition", "0.5 * harnessPosition"),
-    CHANNEL("texture0", 0), CHANNEL("texture1", 1), CHANNEL("texture2", 2),
-    CHANNEL("texture3", 3), SILENT("backbuffer", SELF), SILENT("prevFrame", SELF),
-    SILENT("prevPass", SELF), SILENT("prevBuffer", SELF), SILENT("spectrum", SOUND),
-    SILENT("samples", SOUND),
-    {"volume", "float", INPUT_SILENT, 0, SOUND}, {"sound", "float", INPUT_SILENT, 0, SOUND},
-    SILENT("midi", MIDI), SILENT("note", MIDI), SILENT("key", "there is no keyboard here"),
-    SILENT("gamepad", "there is no gamepad here"),
-    // Bonzomatic
-    FLOAT("fGlobalTime", TIME), VEC2("v2Resolution", SIZE), FLOAT("fFrameTime", STEP),
-    {"texFFT", "sampler1D", INPUT_SILENT, 0, SOUND},
-    {"texFFTSmoothed", "sampler1D", INPUT_SILENT, 0, SOUND},
-    {"texFFTIntegrated", "sampler1D", INPUT_SILENT, 0, SOUND}, SILENT("texPreviousFrame", SELF),
-    POSITION("out_texcoord", SHARE),
-    // Three.js, p5.js and ISF
-    FLOAT("uTime", TIME), VEC2("uResolution", SIZE), VEC2("uMouse", POINTER),
-    FLOAT("millis", TIME), POSITION("vUv", SHARE), POSITION("vTexCoord", SHARE),
-    POSITION("vTextureCoord", SHARE), POSITION("isf_FragNormCoord", SHARE),
-    VEC2("RENDERSIZE", SIZE),
-    FLOAT("TIME", TIME), FLOAT("TIMEDELTA", STEP), INT("FRAMEINDEX", FRAME), VEC4("DATE", DATE),
-    // EnginPasTangible, the engine of the report that the course follows
-    POSITION("FragCoord", "harnessPosition"), FLOAT("Time", TIME), VEC3("Ex", RIGHT),
-    VEC3("Ey", UP),
-    VEC3("Ez", FORWARD), VEC3("CamPos", EYE), FLOAT("fovValue", FOCAL),
-    FLOAT("FacteurLargeur", ASPECT), FLOAT("OrthoView", ORTHO), FLOAT("CustomToggle", ZERO),
-    FLOAT("CustomInt", ZERO)
+    // Shadertoy has these, too.
+    INPUT_ROW("iResolution", "vec3", SIZE), INPUT_ROW("iTime", "float", TIME),
+    INPUT_ROW("iTimeDelta", "float", STEP), INPUT_ROW("iFrame", "int", FRAME),
+    INPUT_ROW("iMouse", "vec4", MOUSE), INPUT_ROW("iDate", "vec4", DATE),
+    // The course alone
+    INPUT_ROW("iCameraPosition", "vec3", EYE), INPUT_ROW("iCameraRight", "vec3", RIGHT),
+    INPUT_ROW("iCameraUp", "vec3", UP), INPUT_ROW("iCameraForward", "vec3", FORWARD),
+    INPUT_ROW("focalLength", "float", FOCAL), INPUT_ROW("iOrthoView", "float", ORTHO),
+    INPUT_ROW("iPixelOffset", "vec2", DRAW), INPUT_ROW("iPixelJitter", "vec2", DRAW),
+    INPUT_ROW("iSample", "int", DRAW), INPUT_ROW("iSamples", "int", DRAW)
 };
 // clang-format on
+enum { COUNT = sizeof rows / sizeof *rows };
 
-const struct input *inputs_row(int index)
+const struct input *inputs_course(int index)
 {
-    return index < COUNT(rows) ? &rows[index] : NULL;
-}
-
-const struct input *inputs_find(const char *name)
-{
-    for (int i = 0; i < COUNT(rows); i++)
-        if (strcmp(rows[i].name, name) == 0)
-            return &rows[i];
-    return NULL;
+    return index < COUNT ? &rows[index] : NULL;
 }
 
 bool inputs_is_course(const struct input *input)
 {
-    return input >= rows + COURSE_BEGIN && input < rows + COURSE_END;
+    return input >= rows && input < rows + COUNT;
 }
 
-bool inputs_is_shadertoy(const struct input *input)
+bool inputs_is_shared(const struct input *input)
 {
-    return input < rows + TOY_END;
-}
-
-bool inputs_is_toys(const char *name)
-{
-    const struct input *input = inputs_find(name);
-    return input != NULL && (inputs_is_shadertoy(input) || input->meaning == INPUT_REFUSED);
-}
-
-// The length of the longest part that two names have in common, ignoring case.
-static int common_length(const char *one, const char *other)
-{
-    int best = 0;
-    for (const char *a = one; *a != '\0'; a++)
-        for (const char *b = other; *b != '\0'; b++) {
-            int length = 0;
-            while (a[length] != '\0' &&
-                   tolower((unsigned char)a[length]) == tolower((unsigned char)b[length]))
-                length++;
-            best = length > best ? length : best;
-        }
-    return best;
-}
-
-const struct input *inputs_nearest(const char *name)
-{
-    const struct input *best = inputs_find("FragCoord");
-    int length = 3; // a common part of at most three letters is not similar enough
-    for (int i = COURSE_END; i < COUNT(rows); i++) {
-        int common = common_length(name, rows[i].name);
-        if (common > length && rows[i].meaning < INPUT_SILENT) {
-            best = &rows[i];
-            length = common;
-        }
-    }
-    return best;
+    return input >= rows && input < rows + INPUTS_SHARED;
 }
 
 bool inputs_type(const char *type, struct shader_input *into)
@@ -157,14 +50,6 @@ struct shader_input inputs_default(const struct input *input)
     struct shader_input in = {.input = input};
     inputs_type(input->type, &in);
     return in;
-}
-
-bool inputs_is_own(const struct shader_input *in)
-{
-    struct shader_input own = inputs_default(in->input);
-    return inputs_is_shadertoy(in->input) &&
-           (in->input->meaning >= INPUT_VALUES ||
-            (own.components == in->components && own.integer == in->integer));
 }
 
 void inputs_add(struct shader_source *source, struct shader_input input)
@@ -186,110 +71,6 @@ bool inputs_reads(const struct gl *gl, GLuint program, const struct shader_sourc
             return true;
     }
     return false;
-}
-
-bool inputs_offers(const struct shader_source *source, const struct input *input)
-{
-    const char *const *channels = source->request.channels;
-    if (input->meaning != INPUT_CHANNEL && input->meaning != INPUT_CHANNEL_SIZE)
-        return input->meaning != INPUT_REFUSED;
-    for (int i = 0; i < 4; i++)
-        if (((channels != NULL && channels[i] != NULL) || source->channel[i] > 0) &&
-            (i == input->channel || input->channel < 0))
-            return true;
-    return false;
-}
-
-// ---- Messages ----
-
-// The channel whose picture a token names as the first of several arguments; -1 if there is none.
-static int channel_of(const struct glsl_token *t)
-{
-    bool may = t->kind == GLSL_WORD && !t->macro && t[-1].sign == '(' && t[1].sign == ',';
-    const struct input *input = may ? inputs_find(t->text) : NULL;
-    return input != NULL && input->meaning == INPUT_CHANNEL ? input->channel : -1;
-}
-
-// True for a direction, as in a cube map's lookup: texture(iChannel0, vec3(...)).
-static bool is_direction(const struct glsl *code, const struct glsl_token *t)
-{
-    static const char *const words[] = {"vec3", "reflect", "refract", "normalize", NULL};
-    if (glsl_is_any(t, words))
-        return glsl_is_sign(glsl_next(code, t + 1), ",)");
-    if (t->kind != GLSL_WORD || !glsl_is_sign(t + 1, ",)"))
-        return false;
-    const struct glsl_token *v = t - 1; // look for the declaration of a variable of type vec3
-    while (v >= code->statement &&
-           !(v->kind == GLSL_WORD && v->name == t->name && v[-1].kind == GLSL_WORD))
-        v--;
-    return v >= code->statement && glsl_is(v - 1, "vec3");
-}
-
-const struct glsl_token *inputs_cube_map(const struct glsl *code)
-{
-    static const char *const lookups[] = {"texture", "textureLod", NULL};
-    const struct glsl_token *t = code->statement;
-    while (t->kind != GLSL_END &&
-           !(channel_of(t) >= 0 && (glsl_is(t - 2, "textureCube") ||
-                                    (glsl_is_any(t - 2, lookups) && is_direction(code, t + 2)))))
-        t++;
-    return t->kind != GLSL_END ? t : NULL;
-}
-
-// What the text expects in a channel that has no picture, such as "the keyboard" or "a film"; NULL
-// if unknown.
-static const char *kind_of_channel(const struct shader_source *source, int channel)
-{
-    static const struct {
-        const char *was, *words;
-    } names[] = {{"buffer", "a buffer, the picture of another pass"},
-                 {"keyboard", "the keyboard"},
-                 {"cubemap", "a cube map"},
-                 {"volume", "a volume"},
-                 {"mic", "a sound"},
-                 {"music", "a sound"},
-                 {"musicstream", "a sound"},
-                 {"video", "a film"},
-                 {"webcam", "a film"}};
-    const struct glsl *code = &source->code;
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (strcmp(source->was[channel], names[i].was) == 0)
-            return names[i].words;
-    for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++) {
-        if (channel_of(t) != channel)
-            continue;
-        const struct glsl_token *end = glsl_partner(code, t - 1);
-        bool fetch = glsl_is(t - 2, "texelFetch");
-        for (const struct glsl_token *word = t + 2; word < end; word++) {
-            long number = strtol(word->text, NULL, 10);
-            if (strncmp(word->text, "KEY", 3) == 0 || number == 256 || (fetch && number > 7))
-                return names[1].words;
-        }
-        if (fetch)
-            return names[0].words;
-    }
-    return NULL;
-}
-
-bool inputs_refuse(const struct shader_source *source, const struct input *input, int line)
-{
-    if (input->meaning != INPUT_CHANNEL && input->meaning != INPUT_CHANNEL_SIZE)
-        return shader_refuse(source, line,
-                             "%s is not supported: %s: compute the value in the shader",
-                             input->name, input->text);
-    int channel = input->channel < 0 ? 0 : input->channel;
-    const char *was = kind_of_channel(source, channel);
-    if (was != NULL)
-        return shader_refuse(source, line, "%s is read as %s, which is not supported here",
-                             input->name, was);
-    if (GL_IS_ES)
-        return shader_refuse(source, line, "%s has no picture: this page cannot read your pictures",
-                             input->name);
-    return shader_refuse(
-        source, line,
-        "%s has no picture: give --channel %d=FILE.png; buffers, films and sounds are "
-        "not supported",
-        input->name, channel);
 }
 
 // ---- The vertex shader ----

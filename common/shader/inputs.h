@@ -1,5 +1,6 @@
-// inputs.h - a table of a shader's inputs, under the names that various tools give them. A file may
-// declare an input as float, int, vec2, vec3 or vec4, and the input is set with that type.
+// inputs.h - the inputs of a shader, and those that the course has; dialects/tool_inputs.h has the
+// names that other tools give them. A file may declare an input as float, int, vec2, vec3 or vec4,
+// and the input is set with that type.
 #ifndef SHADER_INPUTS_H
 #define SHADER_INPUTS_H
 
@@ -55,25 +56,20 @@ struct shader_input {
 
 struct shader_source;
 
-// The input with a name, or NULL if there is none.
-const struct input *inputs_find(const char *name);
+// A row of a table of inputs that have a value.
+#define INPUT_ROW(name, type, meaning)                                                             \
+    {                                                                                              \
+        name, type, INPUT_##meaning, 0, ""                                                         \
+    }
 
-// The input at an index, from 0, or NULL after the last.
-const struct input *inputs_row(int index);
+// The course's input at an index, from 0, or NULL after the last. Shadertoy also has the first
+// INPUTS_SHARED of them.
+enum { INPUTS_SHARED = 6 };
+const struct input *inputs_course(int index);
 
-// True for an input of the course, and for an input of Shadertoy, respectively.
+// True for an input of the course, and for one of the course that Shadertoy also has.
 bool inputs_is_course(const struct input *input);
-bool inputs_is_shadertoy(const struct input *input);
-
-// True for any name that Shadertoy declares, even if the input is not supported here.
-bool inputs_is_toys(const char *name);
-
-// The input whose name is most similar to the given name, for messages; FragCoord if none is
-// similar.
-const struct input *inputs_nearest(const char *name);
-
-// The first mention of a channel that is read as a cube map, or NULL if there is none.
-const struct glsl_token *inputs_cube_map(const struct glsl *code);
+bool inputs_is_shared(const struct input *input);
 
 // Set the number of components from a type, and whether the type is an int. Returns true for float,
 // int and vec2 to vec4.
@@ -82,9 +78,6 @@ bool inputs_type(const char *type, struct shader_input *into);
 // An input with its type from the table, not declared by the source.
 struct shader_input inputs_default(const struct input *input);
 
-// True for an input that Shadertoy has with exactly the type that the source declares.
-bool inputs_is_own(const struct shader_input *in);
-
 // Add an input to those that a source reads, unless it is already among them.
 void inputs_add(struct shader_source *source, struct shader_input input);
 
@@ -92,13 +85,6 @@ void inputs_add(struct shader_source *source, struct shader_input input);
 // keeps only the uniforms that are used.
 bool inputs_reads(const struct gl *gl, GLuint program, const struct shader_source *source,
                   enum input_meaning first, enum input_meaning last);
-
-// True if an input has a value here; a channel has one only if it has a picture.
-bool inputs_offers(const struct shader_source *source, const struct input *input);
-
-// Report why an input is not supported. Always returns false.
-//   line  of the source's text, from 0
-bool inputs_refuse(const struct shader_source *source, const struct input *input, int line);
 
 // Write the lines before and after the vertex shader, which compute the positions that the source
 // reads. The caller frees both texts.

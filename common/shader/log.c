@@ -214,7 +214,7 @@ char *shader_explain(const struct shader_source *source, enum shader_view view, 
 {
     char *text;
     struct explanation e = {.source = source, .text = memory_open(&text)};
-    char *prelude = dialect_prelude(source, view);
+    char *prelude = shader_prelude(source, view);
     for (const char *c = prelude; *c != '\0'; c++)
         e.prelude += *c == '\n';
     free(prelude);

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "shader/export.h"
+#include "dialects/export.h"
 #include "command/options.h"
 #include "picture/texture.h"
 #include "report.h"

@@ -2,7 +2,7 @@
 // their files, which error is reported for which line, and how the command line replaces pictures.
 #include "lib/test.h"
 
-#include "shader/dialect.h"
+#include "shader/compile.h"
 #include "shader/parameter.h"
 #include "lib/scratch.h"
 #include "lib/system.h"
@@ -265,7 +265,7 @@ TEST(test_channels_come_from_the_command_line)
         assert_string_equal(source.paths[read->item[0].file], path);
         assert_true(!read->item[0].srgb && read->item[0].repeat && read->item[0].slices == 0);
         assert_true(samplers_fit(read, &source));
-        char *prelude = dialect_prelude(&source, VIEW_PICTURE);
+        char *prelude = shader_prelude(&source, VIEW_PICTURE);
         assert_true((strstr(prelude, "uniform sampler2D iChannel2;") != NULL) == (i == 0));
         assert_null(strstr(prelude, "iChannel1"));
         free(prelude);

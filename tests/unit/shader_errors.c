@@ -40,7 +40,7 @@ static const char course[] =
 // prelude is longer than two.
 static char *with_prelude(const struct shader_source *source, const char *log)
 {
-    char *prelude = dialect_prelude(source, VIEW_PICTURE), *result;
+    char *prelude = shader_prelude(source, VIEW_PICTURE), *result;
     long more = source->dialect == DIALECT_COURSE ? -2 : 0;
     for (const char *c = prelude; source->dialect == DIALECT_COURSE && *c != '\0'; c++)
         more += *c == '\n';

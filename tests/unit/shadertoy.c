@@ -1,8 +1,8 @@
 // shadertoy.c - tests the text that --print-shader=shadertoy prints.
 #include "lib/test.h"
 
-#include "shader/export.h"
-#include "shader/dialect.h"
+#include "dialects/export.h"
+#include "shader/read.h"
 #include "lib/scratch.h"
 
 // The text lacks the declarations that Shadertoy makes itself, and its camera and parameters are

@@ -4,7 +4,7 @@
 
 #include <unistd.h>
 
-#include "shader/dialect.h"
+#include "shader/read.h"
 #include "lib/scratch.h"
 #include "lib/system.h"
 

@@ -1,5 +1,6 @@
 // input.c - tests the effects of the keys and the pointer. The test calls GLFW's callbacks as GLFW
 // would, without a window and at times that it sets.
+#include "dialects/tool_inputs.h"
 #include "lib/test.h"
 #include "lib/user.h"
 #include "window/actions.h"
@@ -39,7 +40,7 @@ static int set_up(void **unused)
     (void)unused;
     // Make the shader appear to read OrthoView, so that Tab changes the projection.
     static struct shader_input ortho;
-    ortho = inputs_default(inputs_find("OrthoView"));
+    ortho = inputs_default(tool_inputs_find("OrthoView"));
     renderer.fragment.inputs = &ortho;
     renderer.fragment.input_count = 1;
     user_reset();

@@ -1,11 +1,11 @@
-#include "shader/translation.h"
+#include "dialects/translation.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "memory.h"
-#include "shader/inputs.h"
+#include "dialects/tool_inputs.h"
 
 // The targets, and two further conditions. WRAPPED: Shadertoy gets a new mainImage that calls the
 // file's main or mainImage. OLD: the output is gl_FragColor or gl_FragData.
@@ -89,7 +89,7 @@ static char *new_name(const struct translation *t, const struct glsl_token *toke
         return memory_text("own_%s", word);
     for (int i = 0; i < t->source->input_count; i++) {
         const struct input *input = t->source->inputs[i].input;
-        if (input->meaning == INPUT_CHANNEL && !inputs_is_shadertoy(input) &&
+        if (input->meaning == INPUT_CHANNEL && !tool_inputs_is_shadertoy(input) &&
             strcmp(word, input->name) == 0)
             return memory_text("iChannel%d", input->channel);
     }
@@ -148,14 +148,14 @@ static void mark_names(struct translation *t)
     if (!t->exported)
         return;
     for (int i = 0; i < t->source->input_count; i++)
-        if (inputs_is_shadertoy(t->source->inputs[i].input) &&
-            !inputs_is_own(&t->source->inputs[i]))
+        if (tool_inputs_is_shadertoy(t->source->inputs[i].input) &&
+            !tool_inputs_is_own(&t->source->inputs[i]))
             mark_own(t, t->source->inputs[i].input->name);
     while (declared_next(&at))
-        if (at.kind == DECLARED_VARIABLE && at.name->depth == 0 && inputs_is_toys(at.word))
+        if (at.kind == DECLARED_VARIABLE && at.name->depth == 0 && tool_inputs_is_toys(at.word))
             mark_own(t, at.word);
-    for (int i = 0; (input = inputs_row(i)) != NULL; i++)
-        if (inputs_is_toys(input->name) && glsl_find_definition(t->code, input->name) != NULL)
+    for (int i = 0; (input = tool_inputs_row(i)) != NULL; i++)
+        if (tool_inputs_is_toys(input->name) && glsl_find_definition(t->code, input->name) != NULL)
             mark_own(t, input->name);
 }
 

@@ -1,4 +1,4 @@
-#include "shader/declared.h"
+#include "dialects/declared.h"
 
 #include <stdio.h>
 #include <string.h>

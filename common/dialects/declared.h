@@ -1,10 +1,10 @@
 // declared.h - reads all declarations: variables, inputs, outputs, uniforms and blocks.
-#ifndef SHADER_DECLARED_H
-#define SHADER_DECLARED_H
+#ifndef DIALECTS_DECLARED_H
+#define DIALECTS_DECLARED_H
 
 #include <stdbool.h>
 
-#include "shader/edits.h"
+#include "dialects/edits.h"
 #include "shader/glsl.h"
 
 enum declared_kind {

@@ -1,4 +1,4 @@
-#include "shader/edits.h"
+#include "dialects/edits.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -8,10 +8,10 @@
 // WebGL links an input only if its precision is that of the vertex shader. gl_FragCoord becomes the
 // position in the whole picture, because the renderer draws a picture in parts and shifts its
 // samples. Lines keep their numbers.
-#ifndef SHADER_TRANSLATE_H
-#define SHADER_TRANSLATE_H
+#ifndef DIALECTS_TRANSLATE_H
+#define DIALECTS_TRANSLATE_H
 
-#include "shader/declared.h"
+#include "dialects/declared.h"
 #include "shader/source.h"
 
 enum translate_target { TRANSLATE_DRIVER, TRANSLATE_SHADERTOY };

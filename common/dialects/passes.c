@@ -1,20 +1,15 @@
-#include "shader/passes.h"
+#include "dialects/passes.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "memory.h"
+#include "report.h"
 
 static const char *skip_blanks(const char *c)
 {
     return c + strspn(c, " \t\n\r");
-}
-
-bool passes_are(const char *text)
-{
-    const char *c = skip_blanks(text);
-    return *c == '{' || (*c == '[' && *skip_blanks(c + 1) == '{');
 }
 
 // The closing quote of a string, or the end of the text.
@@ -90,13 +85,15 @@ static char *string(const char *c)
     return text;
 }
 
-static void read_pass(struct passes *passes, const char *pass)
+// Take the text of a pass into part, the common one first, and what the image pass reads in each
+// channel.
+static void read_pass(struct shader_source *source, char *part[2], const char *pass)
 {
     char *type = string(member(pass, "type"));
-    bool image = strcmp(type, "image") == 0 && passes->image == NULL;
-    if (image || (strcmp(type, "common") == 0 && passes->common == NULL)) {
+    bool image = strcmp(type, "image") == 0 && part[1] == NULL;
+    if (image || (strcmp(type, "common") == 0 && part[0] == NULL)) {
         char *code = string(member(pass, "code"));
-        *(image ? &passes->image : &passes->common) = memory_text("%s\n", code);
+        part[image] = memory_text("%s\n", code);
         free(code);
     }
     free(type);
@@ -105,29 +102,26 @@ static void read_pass(struct passes *passes, const char *pass)
         const char *number = member(c, "channel"), *kind = member(c, "ctype");
         char *was = string(kind != NULL ? kind : member(c, "type"));
         if (number != NULL && *number >= '0' && *number <= '3')
-            snprintf(passes->was[*number - '0'], sizeof passes->was[0], "%s", was);
+            snprintf(source->was[*number - '0'], sizeof source->was[0], "%s", was);
         free(was);
     }
 }
 
-const char *passes_read(struct passes *passes, const char *text)
+bool passes_unpack(struct shader_source *source, const char *text, char *part[2], bool *done)
 {
     const char *root = skip_blanks(text);
-    *passes = (struct passes){0};
+    if (*root != '{' && !(*root == '[' && *skip_blanks(root + 1) == '{'))
+        return false;
     root = *root == '[' ? first_value(root) : root;
     const char *shader = member(root, "Shader");
     const char *row = member(shader != NULL ? shader : root, "renderpass");
     for (const char *pass = first_value(row); pass != NULL; pass = next_value(pass))
-        read_pass(passes, pass);
-    if (passes->common == NULL)
-        passes->common = memory_text("%s", "");
-    return passes->image != NULL ? NULL
-           : row == NULL         ? "JSON, but not an export from Shadertoy: a shader is GLSL code"
-                                 : "an export from Shadertoy without an image pass";
-}
-
-void passes_free(struct passes *passes)
-{
-    free(passes->common);
-    free(passes->image);
+        read_pass(source, part, pass);
+    if (part[0] == NULL)
+        part[0] = memory_text("%s", "");
+    *done = part[1] != NULL ||
+            report("%s: %s", source->files[0],
+                   row == NULL ? "JSON, but not an export from Shadertoy: a shader is GLSL code"
+                               : "an export from Shadertoy without an image pass");
+    return true;
 }

@@ -1,4 +1,4 @@
-#include "shader/translate.h"
+#include "dialects/translate.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -6,8 +6,8 @@
 
 #include "context/gl.h"
 #include "memory.h"
-#include "shader/inputs.h"
-#include "shader/translation.h"
+#include "dialects/tool_inputs.h"
+#include "dialects/translation.h"
 
 // toy_behind follows the author's text. Macros of that text also apply to toy_behind, so it uses
 // few words.
@@ -42,7 +42,7 @@ static bool must_wrap(const struct translation *t)
     bool wraps =
         t->wraps || !t->toy || !is_plain_image(t->code) || glsl_mentions(t->code, "precision") > 0;
     for (int i = 0; i < t->source->input_count; i++)
-        wraps |= !inputs_is_own(&t->source->inputs[i]) &&
+        wraps |= !tool_inputs_is_own(&t->source->inputs[i]) &&
                  t->source->inputs[i].input->meaning != INPUT_CHANNEL;
     return wraps;
 }

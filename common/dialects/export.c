@@ -1,12 +1,12 @@
-#include "shader/export.h"
+#include "dialects/export.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "shader/glsl.h"
-#include "shader/inputs.h"
-#include "shader/translate.h"
+#include "dialects/tool_inputs.h"
+#include "dialects/translate.h"
 #include "shader/view.h"
 #include "memory.h"
 #include "number.h"
@@ -142,11 +142,11 @@ static bool put_uniform(struct export *e, const struct glsl_token *uniform)
     if (uniform[1].kind != GLSL_WORD || name->kind != GLSL_WORD)
         return false;
     const struct parameter *parameter = parameters_find(e->parameters, name->text);
-    const struct input *input = inputs_find(name->text);
+    const struct input *input = tool_inputs_find(name->text);
     bool course = input != NULL && inputs_is_course(input);
     bool draw = course && input->meaning == INPUT_DRAW;
     bool vector = course && input->meaning >= INPUT_EYE && input->meaning <= INPUT_FORWARD;
-    if ((course && inputs_is_shadertoy(input)) || (draw && mentions(e, name->text) == 1))
+    if ((course && tool_inputs_is_shadertoy(input)) || (draw && mentions(e, name->text) == 1))
         return true;
     if (parameter == NULL && !vector && !draw)
         return false;
@@ -242,8 +242,8 @@ static void put_input(struct export *e, const struct shader_input *in)
 {
     static const char *const parts[] = {"", ".x", ".xy", ".xyz", ""};
     static const char *const zeros[] = {"", ", 0.0", ", 0.0, 0.0", ", 0.0, 0.0, 0.0"};
-    fprintf(e->text, "    %s%s = %s", inputs_is_shadertoy(in->input) ? "own_" : "", in->input->name,
-            in->integer ? "int(" : "");
+    fprintf(e->text, "    %s%s = %s", tool_inputs_is_shadertoy(in->input) ? "own_" : "",
+            in->input->name, in->integer ? "int(" : "");
     if (in->components > 1)
         fprintf(e->text, "vec%d(", in->components);
     int count = put_meaning(e, in->input);
@@ -271,7 +271,8 @@ static bool put_foreign(struct export *e)
     fprintf(e->text, "\n// ---- The function that Shadertoy calls ----\n\n"
                      "void mainImage(out vec4 toyColour, in vec2 toyPixel)\n{\n");
     for (int i = 0; i < source->input_count; i++)
-        if (!inputs_is_own(&source->inputs[i]) && source->inputs[i].input->meaning != INPUT_CHANNEL)
+        if (!tool_inputs_is_own(&source->inputs[i]) &&
+            source->inputs[i].input->meaning != INPUT_CHANNEL)
             put_input(e, &source->inputs[i]);
     for (int i = 0; i < e->parameters->count; i++) {
         fprintf(e->text, "    %s = ", e->parameters->item[i].name);

@@ -1,6 +1,6 @@
 // edits.h - edits to a GLSL text that keep its line numbers.
-#ifndef SHADER_EDITS_H
-#define SHADER_EDITS_H
+#ifndef DIALECTS_EDITS_H
+#define DIALECTS_EDITS_H
 
 #include "shader/glsl.h"
 

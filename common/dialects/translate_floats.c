@@ -1,4 +1,4 @@
-#include "shader/translate.h"
+#include "dialects/translate.h"
 
 #include <stdbool.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "shader/translate.h"
+#include "dialects/translate.h"
 
 #include <stdio.h>
 #include <stdlib.h>

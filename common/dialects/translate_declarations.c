@@ -1,8 +1,8 @@
-#include "shader/translation.h"
+#include "dialects/translation.h"
 
 #include <string.h>
 
-#include "shader/inputs.h"
+#include "dialects/tool_inputs.h"
 #include "shader/parameter.h"
 
 static bool is_used(const struct declared *at)
@@ -59,8 +59,8 @@ static bool take_sampler(struct translation *t, struct declared *at, const struc
                              "%s has no picture: declare it as sampler2D iChannel0, and give "
                              "--channel 0=FILE.png",
                              at->word);
-    if (used && (channel ? !inputs_offers(t->source, input) : t->exported))
-        return inputs_refuse(t->source, input, line);
+    if (used && (channel ? !tool_inputs_offers(t->source, input) : t->exported))
+        return tool_inputs_refuse(t->source, input, line);
     if (channel)
         inputs_add(t->source, (struct shader_input){.input = input, .declared = true});
     if (t->exported && at->name == at->first && at->end->sign == ';')
@@ -87,7 +87,7 @@ static bool take_value(struct translation *t, struct declared *at, const struct 
         return store(t, at, "");
     inputs_add(t->source, *in);
     cut_value(t, at);
-    return t->exported && inputs_is_own(in) ? leave_out(t, at) : store(t, at, "uniform");
+    return t->exported && tool_inputs_is_own(in) ? leave_out(t, at) : store(t, at, "uniform");
 }
 
 // Translate the declaration of an input that differs from pixel to pixel.
@@ -104,7 +104,7 @@ static bool take_position(struct translation *t, struct declared *at, const stru
         return shader_refuse(t->source, at->name->line,
                              "in %s %s: there is no such input; the nearest is %s: "
                              "docs/using.md lists all inputs",
-                             at->type->text, at->word, inputs_nearest(at->word)->name);
+                             at->type->text, at->word, tool_inputs_nearest(at->word)->name);
     return store(t, at, "in");
 }
 
@@ -117,9 +117,9 @@ static bool take_uniform(struct translation *t, struct declared *at, const struc
             return refuse_type(t, at, input);
         inputs_add(t->source, *in);
     }
-    if (input != NULL && is_used(at) && !inputs_offers(t->source, input))
-        return inputs_refuse(t->source, input, at->name->line);
-    if (t->exported && input != NULL && inputs_is_shadertoy(input))
+    if (input != NULL && is_used(at) && !tool_inputs_offers(t->source, input))
+        return tool_inputs_refuse(t->source, input, at->name->line);
+    if (t->exported && input != NULL && tool_inputs_is_shadertoy(input))
         return leave_out(t, at);
     if (!parameter_declared(t->source, at->name))
         return store(t, at, at->value != NULL ? "" : "uniform");
@@ -130,7 +130,7 @@ static bool take_uniform(struct translation *t, struct declared *at, const struc
 
 static bool take_input(struct translation *t, struct declared *at)
 {
-    struct shader_input in = {.input = inputs_find(at->word), .declared = true};
+    struct shader_input in = {.input = tool_inputs_find(at->word), .declared = true};
     const struct input *input = in.input;
     bool typed = inputs_type(at->type->text, &in) && !declared_is_array(at);
     bool varies = at->kind == DECLARED_IN;
@@ -281,17 +281,17 @@ bool translation_declarations(struct translation *t)
 void translation_undeclared(struct translation *t)
 {
     const struct input *input;
-    for (int i = 0; (input = inputs_row(i)) != NULL; i++) {
+    for (int i = 0; (input = tool_inputs_row(i)) != NULL; i++) {
         const struct glsl_name *name = glsl_name(t->code, input->name);
         if (name == NULL || name->count == 0 || name->macro || input->meaning == INPUT_POSITION ||
-            input->meaning >= INPUT_SILENT || !inputs_offers(t->source, input) ||
+            input->meaning >= INPUT_SILENT || !tool_inputs_offers(t->source, input) ||
             declared_anywhere(t->code, input->name))
             continue;
         inputs_add(t->source, inputs_default(input));
         int type = (int)strcspn(input->type, "[");
-        if (t->exported && inputs_is_shadertoy(input))
+        if (t->exported && tool_inputs_is_shadertoy(input))
             continue;
-        if (input->meaning == INPUT_CHANNEL && !inputs_is_shadertoy(input))
+        if (input->meaning == INPUT_CHANNEL && !tool_inputs_is_shadertoy(input))
             fprintf(t->inputs, "uniform sampler2D iChannel%d;\n", input->channel);
         else
             fprintf(t->inputs, "%s%.*s %s%s;\n", t->exported ? "" : "uniform ", type, input->type,

@@ -1,10 +1,10 @@
 // translation.h - a translation in progress, shared by translate.c and its parts.
-#ifndef SHADER_TRANSLATION_H
-#define SHADER_TRANSLATION_H
+#ifndef DIALECTS_TRANSLATION_H
+#define DIALECTS_TRANSLATION_H
 
 #include <stdio.h>
 
-#include "shader/declared.h"
+#include "dialects/declared.h"
 #include "shader/source.h"
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))

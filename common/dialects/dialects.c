@@ -1,0 +1,197 @@
+#include "shader/dialects.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "dialects/directives.h"
+#include "dialects/export.h"
+#include "dialects/formats.h"
+#include "dialects/passes.h"
+#include "dialects/tool_inputs.h"
+#include "dialects/translate.h"
+#include "memory.h"
+#include "report.h"
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+// ---- Shadertoy's function ----
+
+static bool refuse_image(const struct shader_source *source, const struct glsl_token *image)
+{
+    return shader_refuse(source, image->line,
+                         "mainImage has parameters other than those it is called with: write void "
+                         "mainImage(out vec4 fragColor, in vec2 fragCoord)");
+}
+
+// Check that mainImage returns its colour in an out parameter, and that the text does not mention
+// gl_FragColor.
+static bool check_image(const struct shader_source *source)
+{
+    const struct glsl *code = &source->code;
+    const struct glsl_token *image = glsl_find_definition(code, "mainImage");
+    const struct glsl_token *old = glsl_find(code, "gl_FragColor");
+    if (image == NULL || !image->certain || image[2].macro)
+        return true;
+    if (!glsl_is_any(image + 2, (const char *const[]){"out", "inout", NULL}))
+        return refuse_image(source, image);
+    const struct glsl_token *colour = glsl_skip(code, image + 2, ",)") - 1;
+    return old == NULL || !old->certain ||
+           shader_refuse(source, old->line,
+                         "gl_FragColor: mainImage returns its colour in %s: write %s = ...",
+                         colour->text, colour->text);
+}
+
+// ---- The dialect ----
+
+// Determine the dialect. A file that defines main and includes nothing is a whole shader, unless it
+// is the course's vertex shader.
+static enum shader_dialect dialect_of(const struct shader_source *source)
+{
+    const struct glsl *code = &source->code;
+    bool main = glsl_find_definition(code, "main") != NULL, includes = false;
+    if (glsl_mentions(code, "mainImage") > 0 && !main)
+        return DIALECT_SHADERTOY;
+    for (int i = 0; i < source->line_count; i++)
+        includes |= source->lines[i].file > 0;
+    bool whole = main && !includes && glsl_mentions(code, "gl_Position") == 0;
+    return source->version != 0 || whole ? DIALECT_WHOLE : DIALECT_COURSE;
+}
+
+static bool take(struct shader_source *source)
+{
+    source->dialect = dialect_of(source);
+    return formats_check(source) && (source->dialect != DIALECT_SHADERTOY || check_image(source)) &&
+           (source->dialect == DIALECT_COURSE ||
+            translate(source, TRANSLATE_DRIVER, &source->prelude, &source->body));
+}
+
+// ---- Checks after the driver's ----
+
+static bool explain(const struct shader_source *source, const char *log, bool linking)
+{
+    const struct glsl *code = &source->code;
+    const struct glsl_token *cube = tool_inputs_cube_map(code),
+                            *image = glsl_find(code, "mainImage");
+    const struct input *input;
+    if (glsl_mentions(code, "gl_Position") > 0)
+        return !formats_refuse_vertex(source);
+    if (cube != NULL)
+        return !shader_refuse(source, cube->line,
+                              "%s is read as a cube map, which is not supported here: a picture is "
+                              "read at a vec2",
+                              cube->text);
+    for (int i = 0; source->dialect != DIALECT_COURSE && (input = tool_inputs_row(i)) != NULL;
+         i++) {
+        bool lacks = !tool_inputs_offers(source, input) && strstr(log, input->name) != NULL;
+        const struct glsl_token *token = lacks ? glsl_find(code, input->name) : NULL;
+        if (token != NULL)
+            return !tool_inputs_refuse(source, input, token->line);
+    }
+    bool toy = source->dialect == DIALECT_SHADERTOY;
+    const struct glsl_token *pixel = glsl_find(code, "FC");
+    if (pixel != NULL && !code->name[pixel->name].macro && source->file_count == 1)
+        return !shader_refuse(
+            source, pixel->line,
+            "FC: a short name from twigl: write gl_FragCoord, declare uniform vec2 "
+            "resolution; and uniform float time; and put everything into void "
+            "main()");
+    if (toy && image != NULL && strstr(log, "mainImage") != NULL)
+        return !refuse_image(source, image);
+    return !toy && (linking || strstr(log, "Missing main()") != NULL) &&
+           glsl_mentions(code, "main") == 0 &&
+           !report("%s: draws no picture, because it has no main: write void main(), or mainImage "
+                   "as in Shadertoy, or begin with #include \"main.glsl\" as the chapters do",
+                   source->files[0]);
+}
+
+// True if the code may write a colour, perhaps through a macro.
+static bool writes(const struct glsl *code)
+{
+    for (const struct glsl_token *t = code->statement; t->kind != GLSL_END;
+         t = t->sign == '(' ? glsl_next(code, t) : t + 1) // an out parameter is not an output
+        if (glsl_is(t, "out"))
+            return true;
+    for (const struct glsl_token *t = code->item; t->kind != GLSL_END; t++)
+        if (t->directive && t->live && glsl_is(t, "out"))
+            return true;
+    return glsl_mentions(code, "gl_FragColor") + glsl_mentions(code, "gl_FragData") > 0;
+}
+
+// Warn that nothing sets a uniform or a block, and say how to give it a value. The first warning is
+// kept.
+static void warn(struct shader_source *source, const struct declared *at)
+{
+    static const char *const types[][3] = {{"float", "1.0", "1 in [0, 4]"},
+                                           {"int", "1", "1 in [0, 4]"},
+                                           {"bool", "true", "true"},
+                                           {"vec2", "vec2(1.0)", "1 in [0, 4]"},
+                                           {"vec3", "vec3(1.0)", "1 in [0, 4]"},
+                                           {"vec4", "vec4(1.0)", "1 in [0, 4]"}};
+    const struct input *input = tool_inputs_find(at->word);
+    bool silent = input != NULL && input->meaning == INPUT_SILENT;
+    const char *type = at->type->text;
+    size_t i = 0;
+    while (i < COUNT(types) && strcmp(type, types[i][0]) != 0)
+        i++;
+    char *why;
+    if (at->kind == DECLARED_BLOCK)
+        why = memory_text("the members of the block %s are 0: nothing sets them; declare variables "
+                          "with a value instead",
+                          at->word);
+    else if (!silent && i < COUNT(types) && at->name[1].sign != '[')
+        why = memory_text("uniform %s %s is 0: nothing sets it; give it a value: uniform %s %s = "
+                          "%s; // %s",
+                          type, at->word, type, at->word, types[i][1], types[i][2]);
+    else
+        why = memory_text("uniform %s %s is 0: %s", type, at->word,
+                          silent                          ? input->text
+                          : strstr(type, "image") != NULL ? "images that a shader writes to are "
+                                                            "not supported"
+                                                          : "nothing sets it; give it a value "
+                                                            "where it is declared");
+    shader_refuse(source, at->name->line, "warning: %s", why);
+    if (source->unset != NULL)
+        free(why);
+    else
+        source->unset = why;
+}
+
+static void warn_of_unset(struct shader_source *source)
+{
+    struct declared at = {.code = &source->code};
+    while (declared_next(&at)) {
+        const struct input *input = tool_inputs_find(at.word);
+        bool set =
+            input != NULL && input->meaning != INPUT_SILENT && input->meaning != INPUT_POSITION;
+        bool unset = at.kind == DECLARED_UNIFORM && !set && at.value == NULL;
+        bool block = at.kind == DECLARED_BLOCK && !glsl_is(at.type - 1, "in");
+        if ((block || unset) && declared_is_read(&at) && !parameter_declared(source, at.name))
+            warn(source, &at);
+    }
+}
+
+static bool accept(struct shader_source *source)
+{
+    const struct glsl *code = &source->code;
+    if (source->dialect != DIALECT_COURSE && source->unset == NULL)
+        warn_of_unset(source);
+    if (source->dialect != DIALECT_WHOLE)
+        return true;
+    struct declared shown = declared_output(code);
+    if (shown.kind != DECLARED_NONE && shown.name->certain && !declared_is_read(&shown))
+        return shader_refuse(source, shown.name->line,
+                             "out %s %s never gets a value: write %s = vec4(...); in main",
+                             shown.type->text, shown.word, shown.word);
+    return writes(code) ||
+           report("%s: writes no colour: declare out vec4 FragColor; and give it a value in main",
+                  source->files[0]);
+}
+
+const struct dialects dialects = {.unpack = passes_unpack,
+                                  .obey = directives_obey,
+                                  .take = take,
+                                  .explain = explain,
+                                  .with_floats = translate_floats,
+                                  .accept = accept,
+                                  .export_shadertoy = export_shadertoy};

@@ -1,0 +1,39 @@
+// tool_inputs.h - the table of the names that other tools give to a shader's inputs, followed by
+// what is not supported, and why.
+#ifndef DIALECTS_TOOL_INPUTS_H
+#define DIALECTS_TOOL_INPUTS_H
+
+#include "shader/inputs.h"
+#include "shader/source.h"
+
+// The input with a name, or NULL if there is none, of the course or of another tool.
+const struct input *tool_inputs_find(const char *name);
+
+// The input at an index, from 0, or NULL after the last: first those of Shadertoy, then the others
+// of the course, then those of other tools.
+const struct input *tool_inputs_row(int index);
+
+// True for an input of Shadertoy.
+bool tool_inputs_is_shadertoy(const struct input *input);
+
+// True for any name that Shadertoy declares, even if the input is not supported here.
+bool tool_inputs_is_toys(const char *name);
+
+// The input whose name is most similar to the given name, for messages; FragCoord if none is
+// similar.
+const struct input *tool_inputs_nearest(const char *name);
+
+// The first mention of a channel that is read as a cube map, or NULL if there is none.
+const struct glsl_token *tool_inputs_cube_map(const struct glsl *code);
+
+// True for an input that Shadertoy has with exactly the type that the source declares.
+bool tool_inputs_is_own(const struct shader_input *in);
+
+// True if an input has a value here; a channel has one only if it has a picture.
+bool tool_inputs_offers(const struct shader_source *source, const struct input *input);
+
+// Report why an input is not supported. Always returns false.
+//   line  of the source's text, from 0
+bool tool_inputs_refuse(const struct shader_source *source, const struct input *input, int line);
+
+#endif
