@@ -60,7 +60,6 @@ void renderer_close(struct renderer *renderer)
     axis_labels_free(&renderer->labels, renderer->gl);
     for (int i = 0; i < TARGETS; i++)
         target_close(target_of(renderer, i), renderer->gl);
-    enlarge_close(&renderer->enlarge, renderer->gl);
     renderer->gl->DeleteVertexArrays(1, &renderer->vertex_array);
     shader_free(&renderer->vertex);
     *renderer = (struct renderer){0};
@@ -275,18 +274,18 @@ static void copy_rows(const struct gl *gl, const struct target *target, int from
     gl->BlitFramebuffer(0, from, width, to, 0, from, width, to, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-bool renderer_present(struct renderer *renderer, enum enlarge_filter filter, int width, int height)
+void renderer_present(const struct renderer *renderer, int width, int height)
 {
     const struct gl *gl = renderer->gl;
     const struct target *picture = &renderer->picture;
+    bool same = picture->width == width && picture->height == height;
     gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    if (picture->width != width || picture->height != height)
-        return enlarge_draw(&renderer->enlarge, gl, filter, picture, width, height);
-    copy_rows(gl, picture, 0, height);
-    return true;
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, picture->framebuffer);
+    gl->BlitFramebuffer(0, 0, picture->width, picture->height, 0, 0, width, height,
+                        GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
 }
 
-void renderer_present_sharp(struct renderer *renderer, int from, int rows)
+void renderer_present_sharp(const struct renderer *renderer, int from, int rows)
 {
     renderer->gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     copy_rows(renderer->gl, &renderer->sharp, from, rows);

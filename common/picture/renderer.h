@@ -9,7 +9,6 @@
 
 #include "camera.h"
 #include "picture/axis_labels.h"
-#include "picture/enlarge.h"
 #include "picture/image.h"
 #include "picture/overlay.h"
 #include "picture/sculpture.h"
@@ -130,7 +129,6 @@ struct renderer {
     struct target projected;       // the positions of a ray's steps in the picture
     struct target points;          // the positions of the handles in the picture
     struct target coarse;          // the result of the coarse pass, one texel per block
-    struct enlarge enlarge;        // shows a small picture in a large window
     struct comparison *comparison; // not owned; NULL for a single picture
     const struct overlay *overlay; // drawn over every picture for a file; not owned; may be NULL
 };
@@ -190,14 +188,13 @@ bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *i
                       const struct renderer_piece *piece);
 
 // Copy the picture of renderer_draw into the window's framebuffer: pixel by pixel if the sizes are
-// equal, otherwise through a filter.
+// equal, otherwise interpolated linearly, so that a small picture shows no blocks.
 //   width, height  size of the framebuffer, pixels
-// Returns false after reporting the error if the driver rejects the filter.
-bool renderer_present(struct renderer *renderer, enum enlarge_filter filter, int width, int height);
+void renderer_present(const struct renderer *renderer, int width, int height);
 
 // Copy rows [from, from + rows) of the picture of renderer_sharpen into the window's framebuffer,
 // pixel by pixel.
-void renderer_present_sharp(struct renderer *renderer, int from, int rows);
+void renderer_present_sharp(const struct renderer *renderer, int from, int rows);
 
 // Draw a whole picture, with the overlay if there is one, and read it back: a value v becomes
 // floor(255 clamp(v, 0, 1) + 0.5).

@@ -189,8 +189,7 @@ static bool draw_picture(struct window *window, double now)
     if (!try_program(window))
         return false;
     double drawn, pixels = pixels_of(&window->inputs);
-    double enlarge = enlarging_choose(&window->pace.enlarging, pixels);
-    if (!draw_at(window, resolution_choose(&window->pace.resolution, pixels, enlarge), &drawn))
+    if (!draw_at(window, resolution_choose(&window->pace.resolution, pixels), &drawn))
         return false;
     resolution_learn(&window->pace.resolution, window->pace.seconds, drawn);
     window->sharpening.inputs = window->inputs;
@@ -248,33 +247,27 @@ static bool sharpen(struct window *window)
     return true;
 }
 
-// Enlarge the picture to the window. If the picture is smaller than the window, measure how long
-// this takes.
-static bool show_enlarged(struct window *window)
+// Show the picture, enlarged to the window. If it is smaller, measure how long this takes.
+static void show_picture(struct window *window)
 {
-    struct renderer *renderer = window->renderer;
-    struct enlarging *enlarging = &window->pace.enlarging;
+    const struct renderer *renderer = window->renderer;
     const struct renderer_inputs *inputs = &window->sharpening.inputs;
-    enum enlarge_filter filter = enlarging->plain ? ENLARGE_BILINEAR : ENLARGE_EDGE;
     double begin = glfwGetTime();
-    if (!renderer_present(renderer, filter, inputs->width, inputs->height))
-        return false;
+    renderer_present(renderer, inputs->width, inputs->height);
     if (window->pace.resolution.level == 0)
-        return true;
+        return;
     renderer->gl->Finish();
-    enlarging_learn(enlarging, (glfwGetTime() - begin) / pixels_of(inputs));
-    return true;
+    resolution_learn_enlarging(&window->pace.resolution, glfwGetTime() - begin, pixels_of(inputs));
 }
 
 // Show the picture, and over it the rows that are already sharp.
-static bool present(struct window *window)
+static void present(struct window *window)
 {
     int height = window->sharpening.inputs.height, sharp = window->sharpening.rows;
-    if (sharp < height && !show_enlarged(window))
-        return false;
+    if (sharp < height)
+        show_picture(window);
     if (sharp > 0)
         renderer_present_sharp(window->renderer, height - sharp, sharp);
-    return true;
 }
 
 // Update the frame rate from consecutive frames only, because no frame is drawn while nothing
@@ -318,8 +311,7 @@ bool window_draw(struct window *window, double now)
     if (draws || window->ray.follow)
         window_follow_ray(window);
     fill_overlay(window);
-    if (!present(window))
-        return false;
+    present(window);
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
     overlay_draw(&window->panel.overlay, 0, inputs->height);
     GLenum error = gl->GetError();

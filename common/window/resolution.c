@@ -49,33 +49,25 @@ double resolution_cost(const struct resolution *resolution)
     return median(resolution->cost);
 }
 
-// Return the seconds that a frame at a level is predicted to take.
-static double predicted(const struct resolution *resolution, int level, double pixels,
-                        double enlarge)
+void resolution_learn_enlarging(struct resolution *resolution, double seconds, double pixels)
 {
-    return resolution_cost(resolution) * pixels / exp2(0.5 * level) + (level > 0 ? enlarge : 0.0);
+    push(resolution->enlarging, seconds / pixels);
 }
 
-int resolution_choose(struct resolution *resolution, double pixels, double enlarge)
+// Return the seconds that a frame at a level is predicted to take.
+static double predicted(const struct resolution *resolution, int level, double pixels)
+{
+    double enlarge = level > 0 ? median(resolution->enlarging) : 0.0;
+    return (resolution_cost(resolution) / exp2(0.5 * level) + enlarge) * pixels;
+}
+
+int resolution_choose(struct resolution *resolution, double pixels)
 {
     int level = resolution->level;
-    while (level < RESOLUTION_COARSEST &&
-           predicted(resolution, level, pixels, enlarge) > RESOLUTION_SLOW)
+    while (level < RESOLUTION_COARSEST && predicted(resolution, level, pixels) > RESOLUTION_SLOW)
         level++;
-    while (level > 0 && predicted(resolution, level - 1, pixels, enlarge) < RESOLUTION_QUICK)
+    while (level > 0 && predicted(resolution, level - 1, pixels) < RESOLUTION_QUICK)
         level--;
     resolution->level = level;
     return level;
-}
-
-void enlarging_learn(struct enlarging *enlarging, double cost)
-{
-    push(enlarging->cost, enlarging->plain ? ENLARGING_RATIO * cost : cost);
-}
-
-double enlarging_choose(struct enlarging *enlarging, double pixels)
-{
-    double edge = median(enlarging->cost) * pixels;
-    enlarging->plain = edge > (enlarging->plain ? ENLARGING_QUICK : ENLARGING_SLOW);
-    return enlarging->plain ? edge / ENLARGING_RATIO : edge;
 }

@@ -27,10 +27,6 @@
 
 #include <stdbool.h>
 
-#define ENLARGING_SLOW  0.02 // seconds that the edge filter may take
-#define ENLARGING_QUICK 0.013
-#define ENLARGING_RATIO 3.0 // time of the edge filter divided by that of the bilinear filter
-
 // Seconds that a picture may take: about 10 frames per second with everything else that a frame
 // needs.
 #define RESOLUTION_SLOW     0.08
@@ -40,9 +36,10 @@
 // A zero-initialised struct is at full resolution and knows no cost.
 struct resolution {
     int level;
-    double fixed;   // seconds that a picture takes however few pixels it has
-    double cost[3]; // seconds per pixel of the last three frames, the newest first
-    bool guessed;   // the cost is an estimate, not measured from a frame
+    double fixed;        // seconds that a picture takes however few pixels it has
+    double cost[3];      // seconds per pixel of the last three frames, the newest first
+    bool guessed;        // the cost is an estimate, not measured from a frame
+    double enlarging[3]; // the same for enlarging, per pixel of the window; 0 at first
 };
 
 // Return the factor by which each side is shorter at a level: 1 to 256.
@@ -61,28 +58,12 @@ void resolution_learn(struct resolution *resolution, double seconds, double pixe
 // Return the median of the last three costs, in seconds per pixel.
 double resolution_cost(const struct resolution *resolution);
 
+// Add the cost of enlarging the last frame, which took some seconds for some pixels of the window.
+void resolution_learn_enlarging(struct resolution *resolution, double seconds, double pixels);
+
 // Choose the level of the next frame.
-//   pixels   number of pixels of the full picture
-//   enlarge  seconds that enlarging takes
+//   pixels  number of pixels of the full picture
 // Returns the level, which is also stored in resolution->level.
-int resolution_choose(struct resolution *resolution, double pixels, double enlarge);
-
-// The cost of enlarging, and the filter in use. A zero-initialised struct knows no cost and uses
-// the edge filter.
-struct enlarging {
-    double cost[3]; // seconds per pixel of the window that the edge filter took, or would have
-                    // taken, in the last three frames; 0 before they are known
-    bool plain;     // the bilinear filter is used instead
-};
-
-// Add the cost of the filter in use, in seconds per pixel of the window.
-void enlarging_learn(struct enlarging *enlarging, double cost);
-
-// Choose the filter of the next frame: the bilinear one if the edge filter would take longer than
-// ENLARGING_SLOW, until it would take less than ENLARGING_QUICK. One wrong time in three does not
-// matter, nor do times that are wrong by 20 %.
-//   pixels  number of pixels of the window
-// Returns the predicted seconds of the chosen filter.
-double enlarging_choose(struct enlarging *enlarging, double pixels);
+int resolution_choose(struct resolution *resolution, double pixels);
 
 #endif

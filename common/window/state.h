@@ -88,7 +88,6 @@ struct window {
         double seconds;     // time that drawing the last picture took
         GLuint tried;       // the program whose cost has been estimated
         struct resolution resolution;
-        struct enlarging enlarging;
     } pace;
     // At rest, a picture that was drawn at a lower resolution is sharpened.
     struct {

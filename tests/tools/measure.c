@@ -7,7 +7,6 @@
 #include "platform.h"
 #include "lib/bound.h"
 #include "lib/checkers.h"
-#include "lib/enlarge.h"
 #include "lib/filter.h"
 #include "lib/glass.h"
 #include "lib/gloss.h"
@@ -342,7 +341,6 @@ static const struct measurement {
      print_levels},
     {"sky", "a sky from tables and with other methods, against the integral", true,
      sky_table_print},
-    {"enlarge", "filters that enlarge a picture: their errors and costs", true, enlarge_print},
     {"limits", "a march in floats far from the origin, and the least sound threshold", true,
      limits_print},
     {"marches", "seven marches in eleven scenes: evaluations, time, lockstep, errors", true,

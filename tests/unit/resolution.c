@@ -19,9 +19,11 @@ static double frame_seconds(const struct machine *machine, int level)
 
 static int draw_frame(struct resolution *resolution, const struct machine *machine, double off)
 {
-    int level = resolution_choose(resolution, pixels, machine->beside);
+    int level = resolution_choose(resolution, pixels);
     double here = pixels / pow(2.0, 0.5 * level);
     resolution_learn(resolution, off * frame_seconds(machine, level), here);
+    if (level > 0)
+        resolution_learn_enlarging(resolution, off * machine->beside, pixels);
     return level;
 }
 
@@ -134,7 +136,8 @@ TEST(a_single_slow_frame_changes_nothing)
 TEST(a_change_that_lasts_is_followed)
 {
     struct machine quick = {0.0, 0.03 / pixels, 0.01}, slow = {0.0, 1.2 / pixels, 0.01};
-    struct resolution resolution = {0};
+    double beside = 0.01 / pixels;
+    struct resolution resolution = {.enlarging = {beside, beside, beside}};
     resolution_guess(&resolution, 0.0, slow.cost);
     int coarse = draw_frame(&resolution, &quick, 1.0);
     assert_true(coarse > 6);
@@ -144,28 +147,6 @@ TEST(a_change_that_lasts_is_followed)
     assert_int_equal(draw_frame(&resolution, &slow, 1.0), 0);
     for (int frame = 0; frame < 5; frame++)
         assert_int_equal(draw_frame(&resolution, &slow, 1.0), coarse);
-}
-
-// However long the edge filter takes, the choice of the filter changes at most once, although the
-// times vary by up to 15 % and every fifth time is ten times as long.
-TEST(the_filter_does_not_flicker)
-{
-    for (double edge = 0.002; edge < 0.2; edge *= 1.05) {
-        struct enlarging enlarging = {0};
-        int changes = 0;
-        for (int frame = 0; frame < 200; frame++) {
-            bool before = enlarging.plain;
-            double seconds = enlarging_choose(&enlarging, pixels);
-            double takes = enlarging.plain ? edge / ENLARGING_RATIO : edge;
-            changes += before != enlarging.plain;
-            assert_true(frame < 3 || fabs(seconds / takes - 1.0) < 0.151);
-            double off = (1.0 + 0.15 * chance()) * (frame % 5 == 3 ? 10.0 : 1.0);
-            enlarging_learn(&enlarging, off * takes / pixels);
-        }
-        assert_true(changes <= 1);
-        assert_true(edge > 0.015 || !enlarging.plain);
-        assert_true(edge < 0.024 || enlarging.plain);
-    }
 }
 
 TESTS(NULL, NULL)

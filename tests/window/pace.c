@@ -86,6 +86,29 @@ static int grey(void)
     return value;
 }
 
+// The picture is black on the left and white on the right. A coarse pixel must not become a block.
+SESSION_TEST(a_coarse_picture_is_interpolated)
+{
+    scratch_write("edge.frag",
+                  "void mainImage(out vec4 c, vec2 p)\n"
+                  "{ c = vec4(step(0.5, p.x / iResolution.x), fract(iTime), 0.0, 1.0); }");
+    session_open_bare(CHAPTER, "--size 480x300 --shader %s", scratch_path("edge.frag"));
+    make_heavy();
+    session_wait(4.0); // the first pictures take a second each
+    struct image image;
+    user_look(&image);
+    const unsigned char *row = image.pixel + 3 * (100 * WIDTH);
+    int between = 0;
+    for (int x = 1; x < WIDTH; x++) {
+        assert_true(row[3 * x] >= row[3 * x - 3]);
+        between += row[3 * x] > 0 && row[3 * x] < 255;
+        assert_true(abs(x - WIDTH / 2) < 8 || row[3 * x] == (x < WIDTH / 2 ? 0 : 255));
+    }
+    assert_in_range(between, 2, 8);
+    image_free(&image);
+    session_close();
+}
+
 // The selected pixel must be scaled with the picture, because otherwise another ray would be
 // marched. The shade of grey is a tenth of the distance from the second step of the marched ray to
 // a plane on the right.
