@@ -10,7 +10,7 @@ function fail(text)
 # ---- Listings ----
 
 # The listing of a name, with its lines joined by newlines, or "" after an error.
-function listing(file, name, comment,    first, last, text, i)
+function listing(file, name,    first, last, text, i)
 {
     if (read_source(file) < 0) {
         fail("listing: " file ": cannot be read, or is empty")
@@ -27,8 +27,6 @@ function listing(file, name, comment,    first, last, text, i)
         first = from[file, name]
         last = to[file, name]
     }
-    while (comment && source[file, first - 1] ~ /^\/\//)
-        first--
     for (i = first; i <= last; i++)
         text = text source[file, i] "\n"
     return "```" (file ~ /\.[ch]$/ ? "c" : file ~ /\.(glsl|frag|vert)$/ ? "glsl" : "") "\n" \
@@ -137,8 +135,8 @@ function block(line,    word, n)
         return keys()
     if (word[2] == "parameters:" && n == 4 && word[4] == "-->")
         return table(word[3])
-    if (word[2] == "code:" && word[n] == "-->" && (n == 5 || (n == 6 && word[5] == "with-comment")))
-        return listing(word[3], word[4], n == 6)
+    if (word[2] == "code:" && n == 5 && word[5] == "-->")
+        return listing(word[3], word[4])
     fail("malformed marker: " line)
     return ""
 }

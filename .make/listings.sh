@@ -6,7 +6,6 @@
 # A page has markers on separate lines, and this script writes the block below each marker:
 #
 #   <!-- code: shaders/march.glsl march -->               the definition of this name in the file
-#   <!-- code: shaders/march.glsl march with-comment -->  the same, with the comment above it
 #   <!-- code: chapters/first_steps/1_screen.frag * -->   the whole file
 #   <!-- parameters: 01_normal_colouring -->              the output of build/01_normal_colouring --list
 #   <!-- keys -->                                         the keys of a window, from --help
