@@ -109,7 +109,10 @@ bool renderer_load(struct renderer *renderer, struct shader_source *source,
                    struct parameters *parameters)
 {
     struct renderer next;
-    if (!renderer_prepare(renderer, &next, renderer->view, source, parameters))
+    bool first = renderer->fragment.text == NULL; // it must have the view that was asked for
+    enum shader_view view =
+        first || source->dialect == DIALECT_COURSE ? renderer->view : VIEW_PICTURE;
+    if (!renderer_prepare(renderer, &next, view, source, parameters))
         return false;
     parameters_keep(&next.parameters, &renderer->parameters);
     renderer_take(renderer, &next);

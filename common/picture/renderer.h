@@ -143,7 +143,8 @@ bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *r
 void renderer_close(struct renderer *renderer);
 
 // Compile and link a shader, and read its textures. Parameters that it shares with the previous
-// shader keep their values, as described for parameters_keep.
+// shader keep their values, as described for parameters_keep. If a shader of another tool replaces
+// the previous shader, the view becomes the picture, the only one that it has.
 //   source, parameters  those of the shader, which are taken over and left empty
 // Returns false after reporting the error; then both still belong to the caller, and the renderer
 // still draws the last good shader.

@@ -61,6 +61,10 @@ static void reload(struct window *window)
         all &= loaded;
     }
     fflush(stdout);
+    // A shader that was written for another tool has one view.
+    for (int i = 0; i < start->pictures; i++)
+        if (start->picture[i].renderer.view != window->renderer->view)
+            renderer_set_view(window->renderer, VIEW_PICTURE);
     if (all)
         watch_end(&window->watch);
     window->broken = !all;

@@ -392,14 +392,14 @@ TEST(a_line_is_split_as_a_shell_does)
     for (int i = 0; i < 6; i++)
         assert_string_equal(word[i], words[i]);
     assert_null(word[6]);
-    char blank[] = " \t", open[] = "a 'b", many[3 * OPTIONS_WORDS + 1];
+    char blank[] = " \t", open[] = "a 'b", many[2 * OPTIONS_WORDS + 3];
     assert_int_equal(options_split(blank, word), 0);
-    for (int i = 0; i < OPTIONS_WORDS; i++)
-        memcpy(many + 2 * i, "a ", 3);
+    for (int i = 0; i <= OPTIONS_WORDS; i++)
+        snprintf(many + 2 * i, sizeof many - 2 * (size_t)i, "a ");
+    many[2 * OPTIONS_WORDS] = '\0';
     assert_int_equal(options_split(many, word), OPTIONS_WORDS);
-    memcpy(many + 2 * OPTIONS_WORDS - 2, "b c", 4);
-    for (int i = 0; i < OPTIONS_WORDS - 1; i++)
-        memcpy(many + 2 * i, "a ", 2);
+    for (int i = 0; i <= OPTIONS_WORDS; i++)
+        snprintf(many + 2 * i, sizeof many - 2 * (size_t)i, "a ");
     capture_begin();
     assert_int_equal(options_split(open, word), -1);
     assert_int_equal(options_split(many, word), -1);

@@ -181,4 +181,27 @@ SESSION_TEST(each_of_two_files_is_loaded)
     session_close();
 }
 
+// A shader of another tool has no slice, so the view becomes the picture, on both sides.
+SESSION_TEST(a_shader_without_the_view_shows_its_picture)
+{
+    static const char toy[] =
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.0, 1.0, 0.0, 1.0); }";
+    scratch_write("mine.glsl", "// nothing\n");
+    save("a.frag", "", "vec3(1.0, 0.0, 0.0)");
+    save("b.frag", "", "vec3(1.0, 0.0, 0.0)");
+    session_open_bare(CHAPTER, "--size 64x36 --shader %s --compare %s", scratch_path("a.frag"),
+                      scratch_path("b.frag"));
+    session_key(GLFW_KEY_5);
+    session_assert_title(" - slice");
+    scratch_write("b.frag", "void mainImage(out vec4 c, in vec2 p) { c = x; }");
+    assert_int_equal(reloads("b.frag"), 0);
+    session_assert_title(" - slice");
+    scratch_write("b.frag", toy);
+    assert_int_equal(reloads("b.frag"), 1);
+    assert_string_equal(said[1], "");
+    session_assert_title(" - picture");
+    assert_colour(0, 255);
+    session_close();
+}
+
 TESTS(NULL, NULL)
