@@ -26,7 +26,8 @@ static void print_keys(FILE *file)
 {
     const int indent = 21;
     if (window_keys->label != NULL)
-        fprintf(file, "In the window, with keys named by their position on an American keyboard:\n");
+        fprintf(file,
+                "In the window, with keys named by their position on an American keyboard:\n");
     for (int lecture = 0; lecture < 2; lecture++)
         for (const struct key_row *row = window_keys; row->label != NULL; row++) {
             int width = 0; // characters, of which an arrow has three bytes

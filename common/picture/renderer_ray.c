@@ -70,8 +70,9 @@ bool renderer_march(struct renderer *renderer, const struct renderer_inputs *inp
     renderer_fill(renderer, table, 0, 0, FIRST_COLUMNS, PROBE_ROWS);
     float steps[4];
     gl->ReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, steps);
-    if (steps[2] > (float)FIRST_COLUMNS)
-        renderer_fill(renderer, table, FIRST_COLUMNS, 0, PROBE_STEPS - FIRST_COLUMNS, PROBE_ROWS);
+    int more = (int)fminf(steps[2], (float)PROBE_STEPS) - FIRST_COLUMNS;
+    if (more > 0)
+        renderer_fill(renderer, table, FIRST_COLUMNS, 0, more, PROBE_ROWS);
     float *values = memory_zeros(PROBE_STEPS * PROBE_ROWS, 4 * sizeof *values);
     target_read(table, gl, values);
     probe_unpack(probe, values);

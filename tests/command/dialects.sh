@@ -74,11 +74,11 @@ while read -r name kind right; do
 done <"$scratch/list"
 
 # A program without the folder common/dialects/ draws the same picture of a course shader, and refuses any other file.
-shot='-s 64x36 -o'
-check 'without common/dialects/, a chapter is drawn' "$BUILD/tests/own" -f chapters/01_normal_colouring.frag $shot "$scratch/own.png"
-"$program" $shot "$scratch/whole.png"
+shot=(-s 64x36 -o)
+check 'without common/dialects/, a chapter is drawn' "$BUILD/tests/own" -f chapters/01_normal_colouring.frag "${shot[@]}" "$scratch/own.png"
+"$program" "${shot[@]}" "$scratch/whole.png"
 check 'the two pictures are the same' cmp "$scratch/own.png" "$scratch/whole.png"
 echo 'void mainImage(out vec4 c, vec2 p) { c = vec4(1.0); }' >"$scratch/toy.frag"
-said=$("$BUILD/tests/own" -f "$scratch/toy.frag" $shot "$scratch/toy.png" 2>&1)
+said=$("$BUILD/tests/own" -f "$scratch/toy.frag" "${shot[@]}" "$scratch/toy.png" 2>&1)
 check 'a file of another tool is refused there' [ "$? $said" = "1 $scratch/toy.frag: was written for another tool: this program runs only shaders that begin with #include \"main.glsl\"" ]
 plan
