@@ -80,18 +80,6 @@ void air_sunlight(double sun, double colour[3])
 
 // ---- The tables ----
 
-double air_drawn_out(double sine, double k)
-{
-    double size = sine < 0.0 ? -sine : sine;
-    double x = (sqrt(k * k + 4.0 * (1.0 - k) * size) - k) / (2.0 * (1.0 - k));
-    return sine < 0.0 ? -x : x;
-}
-
-double air_drawn_back(double x, double k)
-{
-    return x * (k + (1.0 - k) * (x < 0.0 ? -x : x));
-}
-
 // 0 if x is far below 0, x if x is far above 0, and a smooth transition in between.
 static double beyond(double x)
 {

@@ -8,14 +8,7 @@
 #ifndef AIR_H
 #define AIR_H
 
-// The properties of one wavelength. The wavelengths are 400 to 700 nm, in steps of 20 nm.
-enum { AIR_WAVES = 16 };
-struct air_wave {
-    double sun;    // sunlight above the air, W m^-2 nm^-1
-    double ozone;  // cross section of a molecule, 1e-25 m^2
-    double eye[3]; // the eye's colour matching functions x, y, z
-};
-extern const struct air_wave air_waves[AIR_WAVES];
+#include "air_path.h"
 
 // The light that the air sends towards an eye at sea level. Multiply the first two kinds by
 // phaseAir and phaseDust of shaders/sky_table.glsl, which depend on the scattering angle, and add
@@ -57,13 +50,6 @@ void air_sunlight(double sun, double colour[3]);
 // scattered once by air, light scattered once by dust, and light scattered more than once. In each
 // storey there is a row for each height of the direction. shaders/sky_table.glsl reads the tables.
 enum { AIR_COLUMNS = 288, AIR_ROWS = 160 };
-
-// The position of a sine in a table: x from -1 to 1, stretched around 0 by 1 / k.
-//   formula  the x with x (k + (1 - k) |x|) = sine
-double air_drawn_out(double sine, double k);
-
-// The inverse of air_drawn_out: the sine at position x.
-double air_drawn_back(double x, double k);
 
 // k for the sun's height and k for the direction's height; and the sine of the lowest height of the
 // sun in a table.

@@ -3,7 +3,7 @@
 #ifndef AIR_ORDERS_H
 #define AIR_ORDERS_H
 
-#include "air.h"
+#include "air_path.h"
 
 // Add the light that has been scattered at least once before a point receives it: the mean over all
 // directions, times a weight for each wavelength, as shares of the sunlight above the air. This

@@ -171,3 +171,17 @@ void air_add_sunlight(double radius, double sine, struct air_amount way, double 
             share[w] += part * air_share_through(w, all, ozone);
     }
 }
+
+// ---- Tables over a height of the sun or of a direction ----
+
+double air_drawn_out(double sine, double k)
+{
+    double size = sine < 0.0 ? -sine : sine;
+    double x = (sqrt(k * k + 4.0 * (1.0 - k) * size) - k) / (2.0 * (1.0 - k));
+    return sine < 0.0 ? -x : x;
+}
+
+double air_drawn_back(double x, double k)
+{
+    return x * (k + (1.0 - k) * (x < 0.0 ? -x : x));
+}

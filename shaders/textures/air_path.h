@@ -1,9 +1,17 @@
-// air_path.h - the air of a round Earth: how much air, dust and ozone a path passes through, and
-// how much sunlight remains at its end. Distances and heights are in kilometres.
+// air_path.h - the air of a round Earth, and what its tables share: how much air, dust and ozone a
+// path passes through, how much sunlight of each wavelength remains at its end, and the position of
+// a sine in a table. Distances and heights are in kilometres.
 #ifndef AIR_PATH_H
 #define AIR_PATH_H
 
-#include "air.h"
+// The properties of one wavelength. The wavelengths are 400 to 700 nm, in steps of 20 nm.
+enum { AIR_WAVES = 16 };
+struct air_wave {
+    double sun;    // sunlight above the air, W m^-2 nm^-1
+    double ozone;  // cross section of a molecule, 1e-25 m^2
+    double eye[3]; // the eye's colour matching functions x, y, z
+};
+extern const struct air_wave air_waves[AIR_WAVES];
 
 // The Earth's radius, and the height at which the air ends.
 #define AIR_EARTH 6371.0
@@ -50,5 +58,14 @@ double air_share_through(int wave, struct air_amount amount, double ozone);
 //   way     the amounts between the point and the eye
 void air_add_sunlight(double radius, double sine, struct air_amount way, double ozone,
                       double share[AIR_WAVES]);
+
+// ---- Tables over a height of the sun or of a direction ----
+
+// The position of a sine in a table: x from -1 to 1, stretched around 0 by 1 / k.
+//   formula  the x with x (k + (1 - k) |x|) = sine
+double air_drawn_out(double sine, double k);
+
+// The inverse of air_drawn_out: the sine at position x.
+double air_drawn_back(double x, double k);
 
 #endif

@@ -1,7 +1,7 @@
 #!/bin/bash
 # house.sh - tests the rules of docs/architecture.md: which folders of common/ may use which others, which files may
-# depend on the system, and how many files may be directly in common/. It also tests that the shaders avoid functions
-# whose results are undefined or inaccurate.
+# depend on the system, and how many files may be directly in common/. It also tests that the modules of the textures
+# form no cycle, and that the shaders avoid functions whose results are undefined or inaccurate.
 #
 # The dependencies between the folders are checked in two independent ways: from the includes of the sources, and from
 # the symbols that the objects need from each other.
@@ -39,9 +39,13 @@ check_empty() {
 # ---- By includes ----
 
 find common -name '*.[ch]' | sort >"$scratch/files"
-# shellcheck disable=SC2016 # $0 is awk's
-xargs awk '/^#include "/ { split($0, part, "\""); print FILENAME, "common/" part[2] }' \
-    <"$scratch/files" >"$scratch/includes"
+# includes_of FOLDER: prints the lines "FROM TO" of the includes in the files on standard input; TO begins with FOLDER.
+includes_of() {
+    # shellcheck disable=SC2016 # $0 is awk's
+    xargs awk -v folder="$1" '/^#include "/ { split($0, part, "\""); print FILENAME, folder part[2] }'
+}
+
+includes_of common/ <"$scratch/files" >"$scratch/includes"
 check 'the includes between the sources of common/ are found' [ "$(wc -l <"$scratch/includes")" -gt 50 ]
 while read -r from to; do
     [ -e "$to" ] || echo "$from includes $to"
@@ -51,18 +55,26 @@ upwards <"$scratch/includes" >"$scratch/up"
 check_empty 'no file includes a header from a higher folder' "$scratch/up"
 
 # A module is a header and the sources that include it first. The includes of the modules must not form a cycle.
-awk '
-    !($1 in module) { module[$1] = $1 ~ /\.h$/ ? $1 : $2 }
-    { from[NR] = $1; to[NR] = $2 }
-    END {
-        for (i = 1; i <= NR; i++) {
-            a = module[from[i]]
-            if (a != to[i])
-                print a, to[i]
-        }
-    }' "$scratch/includes" | sort -u >"$scratch/modules"
-tsort "$scratch/modules" >/dev/null 2>"$scratch/circle"
-check_empty 'the includes of the modules form no cycle' "$scratch/circle"
+check_modules() { # NAME, with lines of includes_of on standard input
+    awk '
+        !($1 in module) { module[$1] = $1 ~ /\.h$/ ? $1 : $2 }
+        { from[NR] = $1; to[NR] = $2 }
+        END {
+            for (i = 1; i <= NR; i++) {
+                a = module[from[i]]
+                if (a != to[i])
+                    print a, to[i]
+            }
+        }' | sort -u | tsort 2>"$scratch/circle" >/dev/null
+    check_empty "$1" "$scratch/circle"
+}
+
+check_modules 'the includes of the modules form no cycle' <"$scratch/includes"
+for header in shaders/textures/*.h; do
+    echo "$header" "${header%.h}.c" # without the programs, which no file includes
+done | includes_of shaders/textures/ >"$scratch/painted"
+check 'the includes between the modules of the textures are found' [ "$(wc -l <"$scratch/painted")" -gt 20 ]
+check_modules 'the includes of the modules of the textures form no cycle' <"$scratch/painted"
 
 # ---- By symbols ----
 
