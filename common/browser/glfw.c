@@ -165,6 +165,7 @@ GLFWwindow *glfwGetCurrentContext(void)
 void glfwDestroyWindow(GLFWwindow *window)
 {
     (void)window;
+    page_capture(0);
     page_close_context();
     web.window = (struct GLFWwindow){.focused = web.window.focused}; // forgets the callbacks
     web.open = false;

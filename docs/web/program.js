@@ -4,6 +4,7 @@ import loadHarness from './harness.js';
 
 const ROOT = '/course/';
 const PRESS = 1, RELEASE = 0, REPEAT = 2;
+const CAPTURE = 77; // the key M captures the mouse, or releases it
 const FINGER = 30; // the distance, in CSS pixels, within which a finger grabs a handle
 const POLL = 20; // milliseconds between two checks of a driver that is compiling
 const PIXELS = 1280 * 720; // the maximum number of pixels in the drawing buffer; fewer are used if a frame takes too long
@@ -73,7 +74,7 @@ export class Program {
             onPicture: (data, name) => hooks.onPicture?.(data, name),
             onSize: (width, height) => hooks.onSize?.(width, height),
             onTitle: (text) => { program.title = text; },
-            onCapture: (captured) => captured ? canvas.requestPointerLock() : document.exitPointerLock(),
+            onCapture: (captured) => program.capture(captured),
             onCursor: (shape) => { canvas.style.cursor = CURSORS[shape] || ''; },
             keyLabel: (key) => labels?.get(codeOf(key)) || '',
         });
@@ -258,7 +259,25 @@ export class Program {
             event.preventDefault();
             module._live_wheel(-event.deltaY / (event.deltaMode === 0 ? 100 : 3));
         }, {passive: false});
+        for (const name of ['pointerlockchange', 'pointerlockerror']) document.addEventListener(name, () => this.agree());
         this.hearPointer(modifiers);
+    }
+
+    // Capture the mouse, or release it, as the program asks.
+    capture(captured) {
+        this.captured = captured;
+        if (captured) this.canvas.requestPointerLock()?.catch(() => {}); // a refusal is also the event pointerlockerror
+        else this.agree();
+    }
+
+    // The browser captures the mouse some time after the program has asked for it, or refuses. It releases the mouse
+    // when the reader presses Escape or leaves the page. The program is told by its own key.
+    agree() {
+        const has = document.pointerLockElement === this.canvas;
+        if (has && !this.captured) document.exitPointerLock();
+        if (has || !this.captured) return;
+        this.module._live_key(CAPTURE, PRESS, 0);
+        this.module._live_key(CAPTURE, RELEASE, 0);
     }
 
     // The vector from a finger to the handle that it grabs, in CSS pixels, or null if no handle is near. While a tool
@@ -297,7 +316,7 @@ export class Program {
         };
         canvas.addEventListener('pointerdown', (event) => {
             fingers.set(event.pointerId, event);
-            canvas.setPointerCapture(event.pointerId);
+            if (!document.pointerLockElement) canvas.setPointerCapture(event.pointerId); // which is an error while the mouse is captured
             if (fingers.size === 2) {
                 spread = between();
                 if (!held) module._live_button(0, 0, 0);

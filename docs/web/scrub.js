@@ -32,7 +32,7 @@ export class Scrub {
     grab(event) {
         if (event.button !== 0) return;
         const from = this.value, {clientX} = event;
-        this.code.setPointerCapture(event.pointerId);
+        if (!document.pointerLockElement) this.code.setPointerCapture(event.pointerId);
         this.code.focus({preventScroll: true});
         this.move(() => from, 0);
         this.code.onpointermove = (moved) => this.move(() => from, (moved.clientX - clientX) / WAY);

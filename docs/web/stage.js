@@ -115,7 +115,7 @@ export class Stage {
         const up = () => { this.program.module._live_key(key, RELEASE, 0); };
         button.addEventListener('pointerdown', (event) => {
             event.preventDefault(); // otherwise the browser would select text or open a menu
-            button.setPointerCapture(event.pointerId);
+            if (!document.pointerLockElement) button.setPointerCapture(event.pointerId);
             this.program.module._live_key(key, PRESS, 0);
         });
         for (const name of ['pointerup', 'pointercancel', 'blur']) button.addEventListener(name, up);

@@ -1,5 +1,5 @@
-// program.mjs - tests the program in a page: the command line, keys, mouse and fingers, a hidden page, a lost context,
-// and the peculiarities of WebGL.
+// program.mjs - tests the program in a page: the command line, keys, mouse and fingers, a captured mouse, a hidden page,
+// a lost context, and the peculiarities of WebGL.
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
 import {check, finish, frames, launch, openPage, rest, serve, start, state, threads, until, WEB} from './browser.mjs';
@@ -112,6 +112,42 @@ check('a drag turns the camera', now.camera[3] !== before[3] && now.camera[4] !=
 await page.mouse.click(160, 110);
 now = await until(page, (s) => s.probe !== undefined);
 check('a click selects the ray of the clicked pixel', now.probe?.steps > 0 && now.pixel.join() === '160,69', now.pixel, now.probe?.steps);
+
+// ---- A captured mouse ----
+
+// Key M captures the mouse. The browser releases it when the reader presses Escape, without telling the program.
+const locks = (held) => page.waitForFunction((held) => (document.pointerLockElement?.id === 'canvas') === held, held).catch(() => {});
+const turns = async (move) => {
+    const {camera} = await state(page);
+    await move();
+    await rest(page);
+    return (await state(page)).camera.slice(3).some((angle, i) => Math.abs(angle - camera[3 + i]) > 0.01);
+};
+await page.keyboard.press('KeyM');
+await locks(true);
+await page.mouse.move(160, 110);
+check('when the mouse is captured, moving it turns the camera', await turns(() => page.mouse.move(200, 110, {steps: 4})));
+await page.mouse.click(200, 110);
+check('a click of a captured mouse selects no ray, and is no error', (await state(page)).pixel.join() === now.pixel.join() && said.length === 0, said);
+await page.evaluate(() => document.exitPointerLock());
+await locks(false);
+check('when the browser has released the mouse, moving it does not turn the camera', !await turns(() => page.mouse.move(160, 90, {steps: 4})));
+check('when the browser has released the mouse, a drag turns the camera', await turns(async () => {
+    await page.mouse.down();
+    await page.mouse.move(200, 90, {steps: 4});
+    await page.mouse.up();
+}));
+await page.keyboard.press('KeyM');
+await locks(true);
+await start(page, '03_shadows');
+await locks(false);
+check('a program that starts has a free mouse', await page.evaluate(() => document.pointerLockElement) === null);
+await page.evaluate(() => { HTMLCanvasElement.prototype.requestPointerLock = () => { document.dispatchEvent(new Event('pointerlockerror')); return Promise.reject(new Error('refused')); }; });
+await canvas.focus();
+await page.keyboard.press('Escape');
+await page.mouse.move(200, 110);
+await page.keyboard.press('KeyM');
+check('if the browser refuses to capture the mouse, moving it does not turn the camera, and the console reports no error', !await turns(() => page.mouse.move(160, 90, {steps: 4})) && said.length === 0, said);
 
 // ---- The wheel ----
 
