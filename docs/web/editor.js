@@ -66,6 +66,8 @@ export class Editor {
         return EditorState.create({
             doc: this.read(name),
             extensions: [
+                // With the focus elsewhere, a browser's Ctrl+Z would change this text, even while the editor is closed.
+                EditorView.domEventHandlers({beforeinput: (event, view) => /^history/.test(event.inputType) && !view.hasFocus}),
                 lineNumbers(), history(), drawSelection(), bracketMatching(), highlightActiveLine(), highlightActiveLineGutter(), highlightSelectionMatches(),
                 StreamLanguage.define(shader), colours, lintGutter(), EditorState.tabSize.of(4), indentUnit.of('    '),
                 // Tab is left to the page, so that a reader who uses only the keyboard can leave the editor.

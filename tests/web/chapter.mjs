@@ -175,6 +175,14 @@ await page.waitForSelector('.live-row code:text-is("mine")');
 check('a uniform that the reader types becomes a parameter with a row', await value(page, 'mine') === 3);
 const [download] = await Promise.all([page.waitForEvent('download'), press(page, 'Download my.frag')]);
 check('the downloaded my.frag contains the edited text', download.suggestedFilename() === 'my.frag' && fs.readFileSync(await download.path(), 'utf8') === `uniform float mine; // 3 in [0, 9]: of my own\n${text}`);
+const typed = await page.evaluate(() => document.querySelector('.live-on').stage.changes.editor.text());
+await press(page, 'Edit'); // closes the editor
+await page.keyboard.press('Control+z');
+await page.locator('.live-canvas').focus();
+await page.keyboard.press('Control+z');
+await frames(page, 2);
+check('Ctrl+Z outside the closed editor does not change its text', await page.evaluate(() => document.querySelector('.live-on').stage.changes.editor.text()) === typed && typed.startsWith('uniform float mine'));
+await press(page, 'Edit');
 await press(page, 'Copy a link');
 await page.waitForFunction(() => location.hash.startsWith('#edit='));
 const link = await page.evaluate(() => location.hash);
