@@ -1,9 +1,9 @@
 // look.mjs [PATTERN] - tests pages of the site in Chromium: axe-core finds no violations, in the light and the dark
-// theme; no page scrolls sideways on a phone 390 pixels wide; when a page is printed, no part is wider than the paper,
-// and the answers are at the end; there is no error in the console; no request fails or leaves the site, and none asks
-// for the module, the editor or the course's files before a click. One page is opened as a file. By default, the test
-// looks at the front page, the Play page and every third of the others; with ALL=1, at all of them; with PATTERN, at
-// those that match.
+// theme; no page scrolls sideways on a phone 320 or 390 pixels wide; when a page is printed, no part is wider than the
+// paper, and the answers are at the end; there is no error in the console; no request fails or leaves the site, and
+// none asks for the module, the editor or the course's files before a click. One page is opened as a file. By default,
+// the test looks at the front page, the Play page and every third of the others; with ALL=1, at all of them; with
+// PATTERN, at those that match.
 import fs from 'node:fs';
 import {pathToFileURL} from 'node:url';
 import {blankPage, check, finish, launch, serve, SITE, whole} from './browser.mjs';
@@ -62,13 +62,17 @@ async function look(work) {
         await page.setViewportSize({width: 390, height: 844});
         await page.goto(`${server.at}/${name}`);
         await whole(page);
-        const wide = await page.evaluate(() => {
-            for (const one of document.querySelectorAll('details')) one.open = true;
-            const most = document.documentElement.clientWidth;
-            if (document.documentElement.scrollWidth <= most) return [];
-            return [document.documentElement.scrollWidth, ...[...document.body.querySelectorAll('*')].filter((one) => one.getBoundingClientRect().right > most + 1).slice(0, 4).map((one) => `${one.tagName}.${one.className}`)];
-        });
-        check(`${name}: the page does not scroll sideways at 390 pixels`, wide.length === 0, wide);
+        await page.evaluate(() => { for (const one of document.querySelectorAll('details')) one.open = true; });
+        const wide = [];
+        for (const width of [320, 390]) {
+            await page.setViewportSize({width, height: 844});
+            wide.push(...await page.evaluate(() => {
+                const most = document.documentElement.clientWidth;
+                if (document.documentElement.scrollWidth <= most) return [];
+                return [document.documentElement.scrollWidth, ...[...document.body.querySelectorAll('*')].filter((one) => one.getBoundingClientRect().right > most + 1).slice(0, 4).map((one) => `${one.tagName}.${one.className}`)];
+            }));
+        }
+        check(`${name}: the page does not scroll sideways at 320 and at 390 pixels`, wide.length === 0, wide);
         const small = await page.evaluate(() => [...document.querySelectorAll('img[src$=".svg"]')].filter((one) => one.width < 640).map((one) => [one.src, one.width]));
         check(`${name}: at 390 pixels, letters of 13 units in a diagram 760 units wide are at least 10.9 pixels high`, small.length === 0, small);
         const across = await page.evaluate(() => document.querySelector('main').getBoundingClientRect().width);
