@@ -105,7 +105,8 @@
         line.className = 'resume';
         close.type = 'button';
         close.textContent = 'Close';
-        close.onclick = link.onclick = () => line.remove();
+        link.onclick = () => line.remove();
+        close.onclick = () => { line.remove(); document.querySelector('main').focus({preventScroll: true}); };
         link.href = href;
         link.textContent = label;
         line.append(text, link, '.', close);

@@ -294,9 +294,8 @@ export class Stage {
         if (changed.length > 0) result.append(part('p', {textContent: withChanges(changed)}));
         result.append(this.button('Close', () => {
             result.remove();
-            if (!at.opener || this.at === at) return;
-            at.remove();
-            at.opener.focus();
+            if (at.opener && this.at !== at) at.remove();
+            (at.opener ?? at.button).focus();
         }));
         result.setAttribute('role', 'status');
         return result;

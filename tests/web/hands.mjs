@@ -273,6 +273,10 @@ check('the console reports no error', said.length === 0, said);
 await page.close();
 ({page} = await open('index.html', {...DESK, reducedMotion: 'reduce'}, hold));
 check('a reader who prefers reduced motion gets a still picture', await page.evaluate(() => window.passes()) === '21_a_landscape.webp');
+await page.evaluate(() => { localStorage.last = JSON.stringify({page: '03_shadows.html', title: 'Shadows', id: 'the-lamp', words: 'The lamp'}); });
+await page.reload();
+await page.locator('.resume').getByRole('button', {name: 'Close'}).press('Enter');
+check('the front page offers to go on reading, and when the offer is closed with the keyboard, the focus goes to the text', await page.evaluate(() => document.activeElement.matches('main')) && await page.locator('.resume').count() === 0);
 await page.close();
 
 finish();

@@ -66,6 +66,8 @@ await drop('wrong.glsl', 'void mainImage(out vec4 c, in vec2 p) { c = nonsense; 
 await page.waitForFunction(() => /cannot be drawn/.test(document.querySelector('.said').textContent));
 check('a compilation error is reported with its line number', /chapters\/wrong\.frag:1: /.test(await page.locator('live-chapter').innerText()), await page.locator('live-chapter').innerText());
 check('a file that does not compile cannot be exported', await page.locator('button.export').isDisabled());
+await page.locator('.live-result').getByRole('button', {name: 'Close'}).press('Enter');
+check('when the error is closed with the keyboard, the focus goes to a button that starts the program', await page.evaluate(() => document.activeElement.matches('.live-start') && document.activeElement.checkVisibility()));
 await drop('picture.frag', 'a\0b');
 await page.waitForFunction(() => /not a text file/.test(document.querySelector('.said').textContent));
 check('a file that is not text is refused', true);
@@ -135,6 +137,9 @@ check('the page says that the draft is deleted', await page.locator('.said[role=
 await page.keyboard.press('Enter');
 check('Undo restores the draft, and the focus stays', await red.isEnabled() && await focus() === 'Delete red_sky', await focus());
 await red.click();
+const asked = page.getByRole('button', {name: 'Run it'});
+await page.locator('.cm-content').or(asked).first().waitFor();
+if (await asked.isVisible()) await asked.click(); // the text was stored, but the draft was deleted before it was drawn
 await until((s) => s.files?.[0]?.endsWith('/red_sky.frag') && s.rate > 0);
 await page.waitForSelector('.cm-content');
 check('a restored draft has its text', await text() === last && last.startsWith('// just now'), await text());
