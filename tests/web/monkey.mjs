@@ -34,7 +34,7 @@ function dice(seed) {
 }
 
 const KEYS = ['Tab', 'Tab', 'Tab', 'Shift+Tab', 'Enter', 'Enter', 'Space', 'Escape', 'Backspace', 'Delete', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'PageUp', 'PageDown', 'Home', 'End', '/',
-    'Control+z', 'Control+y', 'Control+a', 'Control+x', 'Control+f', 'Control+Home', 'Control+End', 'Shift+ArrowRight', 'Shift+Enter', ...'wasdrgkhpvcuxoiltn', ...'0123456789', ...'[],.-=', ...[...'ARGKWUHNP'].map((key) => `Shift+${key}`)];
+    'Control+z', 'Control+y', 'Control+a', 'Control+x', 'Control+f', 'Control+Home', 'Control+End', 'Shift+ArrowRight', 'Shift+Enter', ...'wasdrgkhpvcuxoiltnm', ...'0123456789', ...'[],.-=', ...[...'ARGKWUHNP'].map((key) => `Shift+${key}`)];
 const SIZES = [[1440, 900], [1440, 900], [390, 844], [390, 844], [844, 390], [1024, 768], [641, 480], [640, 480], [320, 568], [200, 300], [40, 40], [1, 1]];
 const WORDS = ['wrong ', '// note\n', '}', '/*', '#include "none.glsl"\n', '0.5', 'é', 'float x = 1.0;\n', '\n', 'shadow', 'sdf'];
 const NAMES = ['mine.frag', 'mine.frag', 'two words.glsl', '03_shadows.frag'];
@@ -161,7 +161,7 @@ function inPage() {
             const lost = () => Math.min(innerWidth, innerHeight) >= 200 && active() !== document.body && (!seen(active()) || box().right + scrollX < 1 || box().bottom + scrollY < 1);
             for (let i = 0; i < 2 || i < 8 && lost(); i++) await frame();
             const drafts = read('drafts');
-            const wide = innerWidth >= 360 && document.documentElement.scrollWidth > document.documentElement.clientWidth + 1;
+            const wide = document.documentElement.clientWidth >= 320 && document.documentElement.scrollWidth > document.documentElement.clientWidth + 1;
             const far = wide && [...document.body.querySelectorAll('*')].filter((one) => one.getBoundingClientRect().right > document.documentElement.clientWidth + 1 && seen(one));
             return {
                 doc: performance.timeOrigin, address: location.pathname.slice(1), drafts, changes: read('changes'), editor: editor(), body: active() === document.body,
@@ -318,7 +318,7 @@ async function play(browser, server, source) {
         drop: (name, text) => ask('drop', name, text),
         choose: async (name, text) => { if (await page.locator('#file').count() > 0) await page.locator('#file').setInputFiles({name, mimeType: 'text/plain', buffer: Buffer.from(text)}); },
         size: (width, height) => page.setViewportSize({width, height}),
-        back: async () => { await page.goBack({waitUntil: 'commit'}); if (!page.url().startsWith(server.at)) await page.goForward(); },
+        back: () => page.goBack({waitUntil: 'commit'}),
         forward: () => page.goForward({waitUntil: 'commit'}),
         reload: () => page.reload({waitUntil: 'commit'}),
         go: (address) => page.goto(`${server.at}/${address}`, {waitUntil: 'commit'}),
@@ -380,7 +380,8 @@ async function play(browser, server, source) {
 
     let wrong = '';
     try {
-        await page.goto(`${server.at}/${QUIET}`);
+        // The browser's blank page must not remain in the history, because a swipe leads back to it.
+        await Promise.all([page.waitForURL(`${server.at}/${QUIET}`), page.evaluate((address) => location.replace(address), `${server.at}/${QUIET}`)]);
         const quiet = await heap();
         await page.goto(`${server.at}/${address}`);
         for (const event of source) {
