@@ -21,6 +21,7 @@
 #define PIECE_SECONDS 0.05 // spent on sharpening between two checks of the input
 #define TRIAL_SECONDS 0.02 // a trial picture that takes longer is the last
 #define TRIAL_FINEST  12   // the finest level of a trial picture
+#define GROWTH_TRIED  16.0 // a picture with this many times more pixels than the last is tried
 
 // True if nothing has moved for a while, so that the rate of earlier frames is meaningless.
 static bool rests(const struct window *window)
@@ -157,12 +158,15 @@ static bool draw_at(struct window *window, int level, double *pixels)
 // takes long enough to be measured. All of them see the whole scene, so each takes at most about
 // four times as long as the last, even if a few pixels cost much more than the others. The first is
 // drawn twice, because drivers finish compiling during the first draw. The line through the first
-// and the last estimates the fixed cost and the cost of a pixel.
+// and the last estimates the fixed cost and the cost of a pixel. A picture of few pixels shows
+// nothing about the cost of one, so the trial is repeated when a window that was tiny grows.
 static bool try_program(struct window *window)
 {
     const struct renderer *renderer = window->renderer;
     GLuint program = renderer->program[renderer->view];
-    if (program == window->pace.tried)
+    bool grown = pixels_of(&window->inputs) > GROWTH_TRIED * window->pace.known;
+    window->pace.known = pixels_of(&window->inputs);
+    if (program == window->pace.tried && !grown)
         return true;
     window->pace.tried = program;
     double few = 0.0, pixels = 0.0, seconds = 0.0, cost = 0.0;

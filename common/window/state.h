@@ -87,6 +87,7 @@ struct window {
         double rate;        // frames per second; 0 before it is known
         double seconds;     // time that drawing the last picture took
         GLuint tried;       // the program whose cost has been estimated
+        double known;       // pixels of the last picture; it predicts no picture of many more
         struct resolution resolution;
     } pace;
     // At rest, a picture that was drawn at a lower resolution is sharpened.

@@ -240,4 +240,45 @@ SESSION_TEST(a_very_slow_shader_never_blocks_the_window)
     }
 }
 
+// A window of one pixel shows nothing about the cost of a pixel, whether the program in it is new
+// or not.
+SESSION_TEST(a_window_that_was_tiny_is_not_blocked_when_it_grows)
+{
+    for (int i = 0; i < 2; i++) {
+        session_open_bare(CHAPTER, LARGE);
+        session_wait(0.5);
+        user.pixel_seconds = 0.001;
+        user_resize(1, 1);
+        if (i > 0)
+            session_key(GLFW_KEY_2);
+        for (int k = 0; k < 10; k++)
+            assert_quick_turn();
+        double begun = user.now;
+        user_resize(WIDTH, HEIGHT); // draws at once
+        assert_true(user.now - begun < 0.5);
+        for (int k = 0; k < 30; k++)
+            assert_quick_turn();
+        session_close();
+        user_reset();
+    }
+}
+
+// Each column of the table of a march's steps takes as long as the march itself. This one has 80.
+SESSION_TEST(the_table_of_a_march_has_no_column_without_a_step)
+{
+    const char *path = scratch_write(
+        "fine.frag", "#include \"main.glsl\"\n#include \"camera.glsl\"\n"
+                     "#include \"march.glsl\"\n"
+                     "Ray pixelRay(vec2 screen) { return perspectiveRay(screen); }\n"
+                     "float sceneDistance(vec3 p) { return p.y; }\n"
+                     "vec3 rayColour(Ray ray)\n"
+                     "{ march(ray, 0.0, 10000.0, 0.00001, 80); return vec3(0.5); }\n");
+    user.pixel_seconds = 1e-4;
+    session_open_bare(CHAPTER, "--size 480x300 --camera 0,1,0,0,-1 --view slice --shader %s", path);
+    session_click(240, 150);
+    for (int k = 0; k < 30; k++)
+        assert_quick_turn();
+    session_close();
+}
+
 TESTS(NULL, NULL)
