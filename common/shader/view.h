@@ -14,24 +14,23 @@ enum view_kind {
     VIEW_NUMBERS   // not to be looked at: read by the harness, and never chosen by a user
 };
 
-// The views that can be chosen, in the order of their keys: name in C and in GLSL, kind, key, and
-// name for users.
+// The views that can be chosen, in the order of their keys: name in C and in GLSL, kind, key from 1
+// to 9, and name for users.
 #define SHADER_VIEWS(ROW)                                                                          \
-    ROW(PICTURE, OF_SCENE, "1", "picture") /* the colour that rayColour returns */                 \
-    ROW(NORMALS, OF_TRACE, "2", "normals") /* the first normal of the pixel's ray */               \
-    ROW(DEPTH, OF_TRACE, "3", "depth") /* the distance at which the pixel's first march ended */   \
-    ROW(STEPS, OF_TRACE, "4", "steps") /* the total number of steps of the pixel's marches */      \
-    ROW(SLICE, OF_RAY, "5", "slice")   /* the march of one ray, seen from the side */              \
-    ROW(PLOT, OF_RAY, "6", "plot")     /* below it, a plot of the distance along that ray */
+    ROW(PICTURE, OF_SCENE, 1, "picture") /* the colour that rayColour returns */                   \
+    ROW(NORMALS, OF_TRACE, 2, "normals") /* the first normal of the pixel's ray */                 \
+    ROW(DEPTH, OF_TRACE, 3, "depth")     /* the distance at which the pixel's first march ended */ \
+    ROW(STEPS, OF_TRACE, 4, "steps")     /* the total number of steps of the pixel's marches */    \
+    ROW(SLICE, OF_RAY, 5, "slice")       /* the march of one ray, seen from the side */            \
+    ROW(PLOT, OF_RAY, 6, "plot")         /* below it, a plot of the distance along that ray */
 
 // The other programs of a course shader. Their names for users appear in messages.
 #define SHADER_PROGRAMS(ROW)                                                                       \
-    ROW(PROBE, NUMBERS, "", "probe")             /* the steps of one ray, as numbers */            \
-    ROW(EVALUATIONS, NUMBERS, "", "evaluations") /* how often each pixel evaluates the scene */    \
-    ROW(COARSE, NUMBERS, "", "coarse pass") /* where the rays of a block of pixels may start */    \
-    ROW(POSITIONS, NUMBERS, "",                                                                    \
-        "positions")                      /* of points, such as a ray's steps, in the picture */   \
-    ROW(ROOM, NUMBERS, "", "camera stop") /* where a moving camera stops */
+    ROW(PROBE, NUMBERS, 0, "probe")             /* the steps of one ray, as numbers */             \
+    ROW(EVALUATIONS, NUMBERS, 0, "evaluations") /* how often each pixel evaluates the scene */     \
+    ROW(COARSE, NUMBERS, 0, "coarse pass")  /* where the rays of a block of pixels may start */    \
+    ROW(POSITIONS, NUMBERS, 0, "positions") /* of points, such as a ray's steps, in the picture */ \
+    ROW(ROOM, NUMBERS, 0, "camera stop")    /* where a moving camera stops */
 
 enum shader_view {
 #define VIEW_NAME(id, kind, key, name) VIEW_##id,

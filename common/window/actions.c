@@ -142,8 +142,8 @@ static void step_by_page(struct window *window, int by)
 
 // The order is that of the overlay's list. Page Down and Page Up are the keys of a presenter's
 // remote control.
-#define VIEW_KEY(id, kind, key, name)  " " key
-#define VIEW_WORD(id, kind, key, name) " " key " " name
+#define VIEW_KEY(id, kind, key, name)  " " #key
+#define VIEW_WORD(id, kind, key, name) " " #key " " name
 // clang-format off
 const struct key_row window_keys[] = {
     {.label = "Page Up Page Down", .does = "scene, step", .condition = KEY_IN_LECTURE,
@@ -231,6 +231,10 @@ const struct key_row window_keys[] = {
     {0}
 };
 // clang-format on
+// A press counts the views from key 1 on, whatever their rows say.
+#define VIEW_IN_PLACE(id, kind, key, name)                                                         \
+    _Static_assert((key) == VIEW_##id + 1 && (key) <= 9, "the key of a view is its place");
+SHADER_VIEWS(VIEW_IN_PLACE)
 _Static_assert(sizeof window_keys / sizeof *window_keys - 1 <= WINDOW_KEYS, "no room for all keys");
 
 // In a lecture, Shift with a digit from 1 to 9 asks for a part. Returns true for such a key.
