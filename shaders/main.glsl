@@ -1,11 +1,8 @@
 // main.glsl - main(): runs the chapter's pixelRay and rayColour, then shows the colour or the contents of
 // the trace.
 //
-// The harness defines VIEW as one of these names: VIEW_PICTURE; VIEW_NORMALS, VIEW_DEPTH and VIEW_STEPS, which show
-// what each pixel's march has recorded (for them alone, VIEW_OF_TRACE is true); VIEW_SLICE and VIEW_PLOT, the
-// march of one ray; VIEW_PROBE, the same as numbers; VIEW_EVALUATIONS, those of the scene and the least number of
-// evaluations that the march would have needed; VIEW_COARSE, the pass of coarse.glsl, one pixel per block of the
-// picture; VIEW_POSITIONS, of points in the picture; VIEW_ROOM, where a camera that moves comes to rest.
+// The harness defines VIEW as one of the names of common/shader/view.h, such as VIEW_PICTURE. For views of what
+// each pixel's march has recorded, and for them alone, VIEW_OF_TRACE is true.
 
 #include "cover.glsl"
 #include "inputs.glsl"

@@ -63,8 +63,10 @@ vec3 traceView(vec2 pixel)
     return normalView();
 #elif VIEW == VIEW_DEPTH
     return depthView();
-#else
+#elif VIEW == VIEW_STEPS
     return stepView(pixel);
+#else
+#error traceView has no case for this view
 #endif
 }
 

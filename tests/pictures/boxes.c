@@ -312,7 +312,7 @@ TEST(no_panel_covers_another)
         const char *path = found.gl_pathv[c];
         assert_true(shader_read(&source, path, gpu_project_root()) &&
                     parameters_read(&chapter.parameters, &source));
-        for (int i = 0; i < 8 * 4 * (VIEW_PLOT + 1); i++) {
+        for (int i = 0; i < 8 * 4 * SHADER_VIEW_COUNT; i++) {
             chapter.view = (enum shader_view)(i / 32);
             if (is_usual(sizes[i % 8], scales[i / 8 % 4]))
                 try_picture(&chapter, strrchr(path, '/') + 1, sizes[i % 8], scales[i / 8 % 4]);

@@ -4,6 +4,7 @@
 #include "lib/compare.h"
 #include "lib/scratch.h"
 #include "lib/session.h"
+#include "shader/view.h"
 
 #define CHAPTER "01_normal_colouring"
 
@@ -45,14 +46,14 @@ SESSION_TEST(a_french_keyboard_has_its_labels)
 
 SESSION_TEST(keys_change_the_view)
 {
-    static const char *const names[] = {"picture", "normals", "depth", "steps", "slice", "plot"};
     session_open_bare(CHAPTER, SESSION_STILL);
-    for (int i = 5; i >= 0; i--) {
+    for (int i = SHADER_VIEW_COUNT - 1; i >= 0; i--) {
+        const char *name = shader_view_name((enum shader_view)i);
         char title[32];
-        snprintf(title, sizeof title, " - %s - ", names[i]);
+        snprintf(title, sizeof title, " - %s - ", name);
         session_key((i % 2 == 0 ? GLFW_KEY_1 : GLFW_KEY_KP_1) + i);
         session_assert_title(title);
-        session_assert_shown(CHAPTER, SESSION_STILL " --view %s", names[i]);
+        session_assert_shown(CHAPTER, SESSION_STILL " --view %s", name);
     }
     session_key(GLFW_KEY_5);
     session_keep(0);
