@@ -8,6 +8,7 @@
 #include "lib/scratch.h"
 #include "lib/user.h"
 #include "shader/text_file.h"
+#include "window/keys.h"
 
 // The generator SplitMix64.
 int events_random(uint64_t *state, int count)
@@ -75,17 +76,14 @@ void events_save(const char *own, int file, int text)
 
 // ---- Random gestures ----
 
-static const int keys[] = {
-    GLFW_KEY_W,     GLFW_KEY_A,         GLFW_KEY_S,    GLFW_KEY_D,          GLFW_KEY_SPACE,
-    GLFW_KEY_C,     GLFW_KEY_F,         GLFW_KEY_TAB,  GLFW_KEY_LEFT_SHIFT, GLFW_KEY_LEFT_CONTROL,
-    GLFW_KEY_E,     GLFW_KEY_Q,         GLFW_KEY_HOME, GLFW_KEY_END,        GLFW_KEY_X,
-    GLFW_KEY_1,     GLFW_KEY_2,         GLFW_KEY_3,    GLFW_KEY_4,          GLFW_KEY_5,
-    GLFW_KEY_6,     GLFW_KEY_UP,        GLFW_KEY_DOWN, GLFW_KEY_LEFT,       GLFW_KEY_RIGHT,
-    GLFW_KEY_ENTER, GLFW_KEY_DELETE,    GLFW_KEY_U,    GLFW_KEY_ESCAPE,     GLFW_KEY_R,
-    GLFW_KEY_H,     GLFW_KEY_K,         GLFW_KEY_O,    GLFW_KEY_T,          GLFW_KEY_M,
-    GLFW_KEY_N,     GLFW_KEY_PAGE_DOWN, GLFW_KEY_V,    GLFW_KEY_PAGE_UP,    GLFW_KEY_F11,
-    GLFW_KEY_KP_5,  GLFW_KEY_9,         GLFW_KEY_P,    GLFW_KEY_F12};
-enum { KEYS = sizeof keys / sizeof *keys };
+// Keys that the table of window/keys.h does not have: those that act while they are held, a digit
+// of the number pad, V for the clipboard, and some that do nothing.
+static const int other_keys[] = {GLFW_KEY_W,    GLFW_KEY_A,          GLFW_KEY_S,
+                                 GLFW_KEY_D,    GLFW_KEY_SPACE,      GLFW_KEY_C,
+                                 GLFW_KEY_F,    GLFW_KEY_LEFT_SHIFT, GLFW_KEY_LEFT_CONTROL,
+                                 GLFW_KEY_KP_5, GLFW_KEY_9,          GLFW_KEY_V,
+                                 GLFW_KEY_F12};
+enum { OTHER_KEYS = sizeof other_keys / sizeof *other_keys };
 
 static const char *const clipboards[] = {NULL,
                                          "",
@@ -141,9 +139,26 @@ static void point_anywhere(struct maker *maker)
     point(maker, any(maker, panel ? 200 : 340) - 10, any(maker, 220) - 10);
 }
 
+// Most of the keys are those of the table, so that a new row is tried too. Backspace would end the
+// sequence.
+static int any_key(struct maker *maker)
+{
+    int key = other_keys[any(maker, OTHER_KEYS)], seen = 0;
+    if (any(maker, 4) == 0)
+        return key;
+    for (const struct key_row *row = window_keys; row->label != NULL; row++)
+        for (int i = 0; i < KEY_BINDINGS; i++) {
+            const struct key_binding *at = &row->binding[i];
+            for (int k = at->key; k > 0 && k < at->key + (at->count > 0 ? at->count : 1); k++)
+                if (k != GLFW_KEY_BACKSPACE && any(maker, ++seen) == 0)
+                    key = k;
+        }
+    return key;
+}
+
 static void press_key(struct maker *maker)
 {
-    int key = keys[any(maker, KEYS)];
+    int key = any_key(maker);
     int modifiers = any(maker, 4) == 0    ? GLFW_MOD_SHIFT
                     : any(maker, 16) == 0 ? GLFW_MOD_CONTROL
                                           : 0;
