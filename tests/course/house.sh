@@ -1,7 +1,8 @@
 #!/bin/bash
 # house.sh - tests the rules of docs/architecture.md: which folders of common/ may use which others, which files may
 # depend on the system, and how many files may be directly in common/. It also tests that the modules of the textures
-# form no cycle, and that the shaders avoid functions whose results are undefined or inaccurate.
+# form no cycle, that the shaders avoid functions whose results are undefined or inaccurate, and that a picture shows
+# each view.
 #
 # The dependencies between the folders are checked in two independent ways: from the includes of the sources, and from
 # the symbols that the objects need from each other.
@@ -200,6 +201,14 @@ edgy $(find shaders -name '*.glsl' | grep -vE '/(coarse|figure|plot|projection|s
     grep -q "[^A-Za-z]$name(" tests/shaders/edges.frag || echo "$name"
 done >"$scratch/untried"
 check_empty 'every library function that calls a function with undefined results is in tests/shaders/edges.frag' "$scratch/untried"
+
+# The references check the views, so each view has one.
+sed -n 's/^ *ROW([A-Z]*, OF_[A-Z]*, [0-9], "\([a-z]*\)").*/\1/p' common/shader/view.h >"$scratch/views"
+check 'the views are found' [ "$(wc -l <"$scratch/views")" -gt 5 ]
+grep -vx picture "$scratch/views" | while read -r view; do
+    grep -v '^#' tests/pictures/images.txt | grep -qE -e "-v $view( |$)" || echo "$view"
+done >"$scratch/undrawn"
+check_empty 'a picture in tests/pictures/images.txt shows each view' "$scratch/undrawn"
 
 # ---- Size ----
 
