@@ -6,7 +6,7 @@
 #include "scene.glsl"
 
 // Compiled only where evaluations are counted.
-#if VIEW == VIEW_EVALUATIONS
+#if VIEW == VIEW_COVER
 
 // The rays that are examined: one through the middle of each cell of this grid over the picture.
 const vec2 COVER_GRID = vec2(32.0, 18.0);

@@ -90,7 +90,7 @@ void main()
 #if VIEW_OF_TRACE
     colour = traceView(pixel);
 #endif
-#if VIEW == VIEW_EVALUATIONS
+#if VIEW == VIEW_COVER
     // The evaluations of the scene; for pixels on the grid of cover.glsl, also the steps that the first march took and
     // the evaluations that would have been enough, both of which are 0 elsewhere.
     bool looked = onCoverGrid(pixel);

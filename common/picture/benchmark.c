@@ -136,7 +136,7 @@ static bool draw_frames(struct benchmark *benchmark, struct renderer *renderer,
 static bool draw_counts(struct renderer *renderer, const struct renderer_inputs *inputs,
                         float *values)
 {
-    bool done = renderer_set_view(renderer, VIEW_EVALUATIONS) &&
+    bool done = renderer_set_view(renderer, VIEW_COVER) &&
                 renderer_draw(renderer, inputs, 0, inputs->height);
     if (done)
         target_read(&renderer->picture, renderer->gl, values);
@@ -219,7 +219,7 @@ static bool count_evaluations(struct benchmark *benchmark, struct renderer *rend
     done = done && draw_counts(renderer, &inputs, counts);
     if (done)
         memcpy(alone, counts, 4 * sizeof *alone * pixels);
-    if (done && renderer_wants_coarse(renderer, VIEW_EVALUATIONS))
+    if (done && renderer_wants_coarse(renderer, VIEW_COVER))
         done = count_coarse(renderer, &inputs, alone, &shared);
     if (done) {
         sum_up(benchmark, counts, shared, pixels, each);

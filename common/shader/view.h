@@ -27,7 +27,7 @@ enum view_kind {
 // The other programs of a course shader. Their names for users appear in messages.
 #define SHADER_PROGRAMS(ROW)                                                                       \
     ROW(PROBE, NUMBERS, 0, "probe")             /* the steps of one ray, as numbers */             \
-    ROW(EVALUATIONS, NUMBERS, 0, "evaluations") /* how often each pixel evaluates the scene */     \
+    ROW(COVER, NUMBERS, 0, "evaluation counts") /* of each pixel: the taken and the needed ones */ \
     ROW(COARSE, NUMBERS, 0, "coarse pass")  /* where the rays of a block of pixels may start */    \
     ROW(POSITIONS, NUMBERS, 0, "positions") /* of points, such as a ray's steps, in the picture */ \
     ROW(ROOM, NUMBERS, 0, "camera stop")    /* where a moving camera stops */

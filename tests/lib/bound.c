@@ -117,7 +117,7 @@ void bound_measure(const struct bound_case *of, int every, struct bound_sums sum
     struct renderer_inputs inputs = {.width = WIDTH, .height = HEIGHT, .samples = 1};
     sums[0] = sums[1] = (struct bound_sums){0};
     inputs.camera = gpu_open_chapter(of->stem);
-    assert_true(renderer_set_view(&gpu.renderer, VIEW_EVALUATIONS));
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_COVER));
     float *values = gpu_numbers(&inputs);
     for (int i = 0, ray = 0; i < WIDTH * HEIGHT; i++)
         if (values[4 * i + 2] > 0.0f && ray++ % every == 0)
@@ -136,7 +136,7 @@ void bound_ask(double slope, double gap, double far, double threshold, int answe
     gpu_set("gap", gap);
     gpu_set("far", far);
     gpu_set("threshold", threshold);
-    assert_true(renderer_set_view(&gpu.renderer, VIEW_EVALUATIONS));
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_COVER));
     float *values = gpu_numbers(&inputs);
     for (int i = 0; i < 16; i++)
         for (int k = 1; k < 3; k++)

@@ -185,7 +185,7 @@ int *march_fewest(struct renderer *renderer, const struct march_scene *scene, in
 {
     int *fewest = malloc(sizeof *fewest * (size_t)width * (size_t)height);
     assert_non_null(fewest);
-    assert_true(renderer_set_view(renderer, VIEW_EVALUATIONS));
+    assert_true(renderer_set_view(renderer, VIEW_COVER));
     float *values = draw(renderer, scene, width, height);
     for (int i = 0; i < width * height; i++)
         fewest[i] =
