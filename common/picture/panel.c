@@ -10,7 +10,7 @@
 #include "picture/picker.h"
 
 #define GAP       12.0f  // distance between keys, units of the overlay
-#define LEGEND    18.0f  // top of the step view's legend, in cells, as in views.glsl
+#define LEGEND    18.0f  // top of a view's legend, in cells, as in views.glsl
 #define TIP_WIDTH 170.0f // maximum width of the tooltip, units
 // The lower edge of the title's panel plus a margin; panels at the bottom stay below this position.
 #define BELOW_TITLE (2.0f * (PEN_MARGIN + PEN_PADDING) + OVERLAY_LINE - 2.0f)
@@ -106,13 +106,13 @@ static int lay_keys(const struct panel *panel, const struct pen *pen, float limi
     return lines;
 }
 
-// Draw the caption at the bottom, above the legend of the step view. Returns the bottom of the room
+// Draw the caption at the bottom, above a legend. Returns the bottom of the room
 // that remains.
 static float write_caption(const struct panel *panel, struct overlay *overlay)
 {
     float bottom = pen_foot(overlay, panel->renderer->view), limit = widest_text(overlay);
     float widest = 0.0f, lines = 0.0f;
-    if (panel->renderer->view == VIEW_STEPS)
+    if (shader_has_legend(panel->renderer->view))
         bottom -= LEGEND * slice_cell(overlay->height) / overlay->scale;
     char line[OVERLAY_TEXT + 1];
     if (panel->caption == NULL || panel->caption[0] == '\0')

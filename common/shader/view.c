@@ -34,6 +34,11 @@ bool shader_shows_ray(enum shader_view view)
     return rows[view].kind == VIEW_OF_RAY;
 }
 
+bool shader_has_legend(enum shader_view view)
+{
+    return rows[view].kind == VIEW_OF_COUNT;
+}
+
 char *shader_view_lines(enum shader_view view)
 {
     char *lines;
@@ -43,7 +48,7 @@ char *shader_view_lines(enum shader_view view)
     fprintf(text, "#define VIEW VIEW_%s\n#define VIEW_OF_TRACE (", rows[view].id);
     const char * or = "";
     for (int i = 0; i < SHADER_PROGRAM_COUNT; i++)
-        if (rows[i].kind == VIEW_OF_TRACE) {
+        if (rows[i].kind == VIEW_OF_TRACE || rows[i].kind == VIEW_OF_COUNT) {
             fprintf(text, "%sVIEW == VIEW_%s", or, rows[i].id);
             or = " || ";
         }

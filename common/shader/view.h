@@ -10,6 +10,7 @@
 enum view_kind {
     VIEW_OF_SCENE, // the colour of each pixel's ray
     VIEW_OF_TRACE, // what the march of each pixel's ray has recorded
+    VIEW_OF_COUNT, // a number among these records, on a ramp with a legend
     VIEW_OF_RAY,   // the march of the selected ray alone
     VIEW_NUMBERS   // not to be looked at: read by the harness, and never chosen by a user
 };
@@ -20,7 +21,7 @@ enum view_kind {
     ROW(PICTURE, OF_SCENE, 1, "picture") /* the colour that rayColour returns */                   \
     ROW(NORMALS, OF_TRACE, 2, "normals") /* the first normal of the pixel's ray */                 \
     ROW(DEPTH, OF_TRACE, 3, "depth")     /* the distance at which the pixel's first march ended */ \
-    ROW(STEPS, OF_TRACE, 4, "steps")     /* the total number of steps of the pixel's marches */    \
+    ROW(STEPS, OF_COUNT, 4, "steps")     /* the total number of steps of the pixel's marches */    \
     ROW(SLICE, OF_RAY, 5, "slice")       /* the march of one ray, seen from the side */            \
     ROW(PLOT, OF_RAY, 6, "plot")         /* below it, a plot of the distance along that ray */
 
@@ -49,6 +50,9 @@ bool shader_view_from_name(const char *name, enum shader_view *view);
 
 // True for the views of one ray's march, whose pixels are not those of the picture.
 bool shader_shows_ray(enum shader_view view);
+
+// True for a view with a legend at the bottom left, which no panel may cover.
+bool shader_has_legend(enum shader_view view);
 
 // The lines that precede a course shader: a definition of each view's name; VIEW, which is one of
 // these names; and VIEW_OF_TRACE, which is true if the view shows what each pixel's march has

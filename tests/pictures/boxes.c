@@ -151,6 +151,17 @@ static void judge_slice(const char *where, enum shader_view view, int passing)
                          (const char *[]){"axis", "ray", "graph"}[k]);
 }
 
+// Check that no panel covers the legend, which is 84 cells wide and 18 high (shaders/views.glsl).
+static void judge_legend(const char *where, enum shader_view view)
+{
+    float cell = slice_cell(overlay.height) / overlay.scale, height = pen_picture_height(&overlay);
+    const struct overlay_rectangle legend = {
+        .top = height - 18.0f * cell, .right = 84.0f * cell, .bottom = height};
+    for (int i = 0; i < back_count && shader_has_legend(view); i++)
+        if (!backs[i].note && meet(&backs[i].box, &legend))
+            fail_msg("%s: panel %d covers the legend", where, i);
+}
+
 // Check that the last panel is a note, that it does not cover the rows that it belongs to, and that
 // its background contains everything drawn in it.
 //   first, behind  the rows from first to behind - 1
@@ -283,6 +294,7 @@ static void try_picture(struct renderer *chapter, const char *name, const int si
                  helps ? ", keys" : "", ray ? ", with a ray" : "", right ? ", on the right" : "");
         judge(way.where, false);
         judge_slice(way.where, chapter->view, helps);
+        judge_legend(way.where, chapter->view);
         try_help(panel, &way, turn + (int)chapter->view);
         if (all->count > 0 && turn % 3 == 0)
             try_colour(panel, &way, turn);
