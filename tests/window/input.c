@@ -379,16 +379,21 @@ TEST_WITH(a_picker_closes, set_up, NULL)
 // Each effect is listed with its keys, labelled as on a French keyboard.
 TEST_WITH(every_key_is_listed, set_up, NULL)
 {
-    static const char *const listed[][2] = {{"move", "Z Q S D"},      {"up, down", "Space C"},
-                                            {"look around", "drag"},  {"capture mouse", "\",\""},
-                                            {"step back, on", "A E"}, {"select ray", "click"},
-                                            {"zoom", "wheel"},        {"view", "1 \u00e9 3 4 5 6"},
-                                            {"pause", "Esc"},         {"orthographic", "Tab"},
-                                            {"restart", "R"},         {"screenshot", "P"},
-                                            {"full screen", "F11"},   {"quit", "Backspace"}};
+    char views[64] = "1 \u00e9";
+    for (int i = 3; i <= SHADER_VIEW_COUNT; i++)
+        snprintf(views + strlen(views), sizeof views - strlen(views), " %d", i);
+    const char *const listed[][2] = {
+        {"move", "Z Q S D"},        {"up, down", "Space C"},  {"look around", "drag"},
+        {"capture mouse", "\",\""}, {"step back, on", "A E"}, {"select ray", "click"},
+        {"zoom", "wheel"},          {"view", views},          {"pause", "Esc"},
+        {"orthographic", "Tab"},    {"restart", "R"},         {"screenshot", "P"},
+        {"full screen", "F11"},     {"quit", "Backspace"}};
     tested.has_keyboard = true;
     window_list_keys(&tested);
-    assert_int_equal(tested.panel.key_count, 19);
+    int usual = 1; // Tab, because this window has both projections
+    for (const struct key_row *row = window_keys; row->label != NULL; row++)
+        usual += row->condition == KEY_ALWAYS;
+    assert_int_equal(tested.panel.key_count, usual);
     for (size_t i = 0; i < sizeof listed / sizeof *listed; i++) {
         int at = 0;
         while (at < tested.panel.key_count && strcmp(tested.panel.keys[at].does, listed[i][0]) != 0)
