@@ -77,11 +77,13 @@ static float write_error(const struct panel *panel, struct overlay *overlay, flo
 
 // ---- Keys ----
 
-// Lay out the keys in lines of limited width.
+// Lay out the keys in lines of limited width. The last keys are left out if there is no room.
 //   pen     the pen to draw with; NULL to measure only
+//   room    number of lines for which there is room; the first line is always laid out
 //   widest  receives the width of the longest line
 // Returns the number of lines.
-static int lay_keys(const struct panel *panel, const struct pen *pen, float limit, float *widest)
+static int lay_keys(const struct panel *panel, const struct pen *pen, float limit, int room,
+                    float *widest)
 {
     const float space = 4.0f;
     float at = 0.0f;
@@ -91,6 +93,8 @@ static int lay_keys(const struct panel *panel, const struct pen *pen, float limi
         const struct panel_key *key = &panel->keys[i];
         float label = overlay_width(key->label), width = label + space + overlay_width(key->does);
         if (at > 0.0f && at + width > limit) {
+            if (lines >= room)
+                break;
             at = 0.0f;
             lines++;
         }
@@ -134,12 +138,13 @@ static float write_keys(const struct panel *panel, struct overlay *overlay, floa
     if (panel->key_count == 0 || panel->folded)
         return bottom;
     float limit = widest_text(overlay), error = error_height(panel, overlay);
-    float height = OVERLAY_LINE * (float)lay_keys(panel, NULL, limit, &widest) - 2.0f;
+    int room = (int)((bottom - BELOW_TITLE - 2.0f * PEN_PADDING + 2.0f) / OVERLAY_LINE);
+    float height = OVERLAY_LINE * (float)lay_keys(panel, NULL, limit, room, &widest) - 2.0f;
     float top = bottom - height - 2.0f * PEN_PADDING;
     if (error > 0.0f && top - PEN_MARGIN - error < BELOW_TITLE)
         return bottom;
     struct pen pen = pen_open(overlay, PEN_MARGIN, top, widest, height);
-    lay_keys(panel, &pen, limit, &widest);
+    lay_keys(panel, &pen, limit, room, &widest);
     return top - PEN_MARGIN;
 }
 

@@ -235,7 +235,8 @@ const struct key_row window_keys[] = {
 #define VIEW_IN_PLACE(id, kind, key, name)                                                         \
     _Static_assert((key) == VIEW_##id + 1 && (key) <= 9, "the key of a view is its place");
 SHADER_VIEWS(VIEW_IN_PLACE)
-_Static_assert(sizeof window_keys / sizeof *window_keys - 1 <= WINDOW_KEYS, "no room for all keys");
+_Static_assert(sizeof window_keys / sizeof *window_keys - 1 <= WINDOW_KEYS,
+               "WINDOW_KEYS of state.h is too small");
 
 // In a lecture, Shift with a digit from 1 to 9 asks for a part. Returns true for such a key.
 static bool ask_part(struct window *window, const struct window_event *event)

@@ -14,7 +14,7 @@
 #include "window/resolution.h"
 #include "window/start.h"
 
-#define WINDOW_KEYS 29 // maximum number of entries in the overlay's list of keys
+#define WINDOW_KEYS 40 // maximum number of entries in the overlay's list of keys
 
 // The part of the window that owns the pointer from a press to the release.
 enum pointer_owner {

@@ -5,6 +5,7 @@
 #include "lib/scratch.h"
 #include "lib/session.h"
 #include "shader/view.h"
+#include "window/keys.h"
 
 #define CHAPTER "01_normal_colouring"
 
@@ -26,6 +27,33 @@ SESSION_TEST(the_window_opens_on_its_picture)
     session_key(GLFW_KEY_BACKSPACE);
     assert_true(user.ended);
     session_close();
+}
+
+// True if a word is among the labels of a row.
+static bool is_labelled(const struct key_row *row, const char *word)
+{
+    char labels[64], wanted[64];
+    snprintf(labels, sizeof labels, " %s ", row->label);
+    snprintf(wanted, sizeof wanted, " %s ", word);
+    return strstr(labels, wanted) != NULL;
+}
+
+TEST(each_key_is_in_one_row)
+{
+    for (const struct key_row *row = window_keys; row->label != NULL; row++) {
+        char labels[64];
+        snprintf(labels, sizeof labels, "%s", row->label);
+        for (const char *word = strtok(labels, " "); word != NULL; word = strtok(NULL, " "))
+            for (const struct key_row *other = window_keys; other < row; other++)
+                if (is_labelled(other, word))
+                    fail_msg("'%s' is in two rows", word);
+        for (int i = 0; i < KEY_BINDINGS; i++) {
+            int key = row->binding[i].key;
+            if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z &&
+                !is_labelled(row, (const char[]){(char)key, '\0'}))
+                fail_msg("%c is not among the labels of its row, '%s'", key, row->label);
+        }
+    }
 }
 
 // The list of keys shows the labels of the user's keyboard as soon as the window has the focus.
