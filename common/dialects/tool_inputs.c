@@ -23,13 +23,14 @@
 #define POSITION(name, value)     {name, "vec2", INPUT_POSITION, 0, value}
 #define SILENT(name, why)      {name, "sampler2D", INPUT_SILENT, 0, why}
 
-enum { TOYS = 6 }; // number of rows that only Shadertoy has
-
-static const struct input rows[] = {
-    // Shadertoy
+// Inputs that only Shadertoy has.
+static const struct input toys[] = {
     FLOAT("iFrameRate", RATE), CHANNEL("iChannel0", 0), CHANNEL("iChannel1", 1),
     CHANNEL("iChannel2", 2), CHANNEL("iChannel3", 3),
-    {"iChannelResolution", "vec3[4]", INPUT_CHANNEL_SIZE, -1, ""},
+    {"iChannelResolution", "vec3[4]", INPUT_CHANNEL_SIZE, -1, ""}
+};
+
+static const struct input rows[] = {
     // Shadertoy's old name for iTime, and two inputs that are not supported
     FLOAT("iGlobalTime", TIME),
     {"iChannelTime", "float[4]", INPUT_REFUSED, 0, "there are no films or sounds here"},
@@ -78,14 +79,14 @@ static const struct input rows[] = {
 const struct input *tool_inputs_row(int index)
 {
     int course = 0;
-    if (index < TOYS)
-        return &rows[index];
+    if (index < COUNT(toys))
+        return &toys[index];
     while (inputs_course(course) != NULL)
         course++;
-    index -= TOYS;
+    index -= COUNT(toys);
     if (index < course)
         return inputs_course(index);
-    index += TOYS - course;
+    index -= course;
     return index < COUNT(rows) ? &rows[index] : NULL;
 }
 
@@ -100,7 +101,7 @@ const struct input *tool_inputs_find(const char *name)
 
 bool tool_inputs_is_shadertoy(const struct input *input)
 {
-    return inputs_is_shared(input) || (input >= rows && input < rows + TOYS);
+    return inputs_is_shared(input) || (input >= toys && input < toys + COUNT(toys));
 }
 
 bool tool_inputs_is_toys(const char *name)
@@ -128,7 +129,7 @@ const struct input *tool_inputs_nearest(const char *name)
 {
     const struct input *best = tool_inputs_find("FragCoord");
     int length = 3; // a common part of at most three letters is not similar enough
-    for (int i = TOYS; i < COUNT(rows); i++) {
+    for (int i = 0; i < COUNT(rows); i++) {
         int common = common_length(name, rows[i].name);
         if (common > length && rows[i].meaning < INPUT_SILENT) {
             best = &rows[i];
