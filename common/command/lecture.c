@@ -312,7 +312,7 @@ static bool show(struct lecture *lecture, bool from_behind)
         return false;
     scene->start = run_window_start(&scene->run);
     scene->start.caption = scene->caption;
-    scene->start.paused = scene->run.options.has_time;
+    scene->start.paused |= scene->run.options.has_time;
     if (scene->run.options.setting_count > 0)
         scene->start.selected = scene->run.options.settings[0];
     printf("%s\n", scene->caption);

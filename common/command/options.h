@@ -9,6 +9,7 @@
 #include "context/context.h"
 #include "picture/sculpture.h"
 #include "shader/view.h"
+#include "window/start.h"
 
 #define OPTIONS_SIZE_LIMIT    16384 // maximum width and height in pixels
 #define OPTIONS_SAMPLES_LIMIT 8     // maximum number of samples along each side of a pixel
@@ -54,11 +55,12 @@ struct options {
     const char **probe_text; // the pixels as they were typed
     int probe_count;
     enum context_backend backend;
-    double overlay;     // scale of the overlay; 0 if it depends on the picture's height
-    int step;           // the last step of the ray's march that is shown, from 0; -1 for all
-    struct camera from; // camera of the ray of --probe; meaningful when has_from
-    const char *shader; // --shader, or NULL for the chapter's own
-    const char *root;   // --root; NULL if it is found from the program's folder
+    double overlay;            // scale of the overlay; 0 if it depends on the picture's height
+    int step;                  // the last step of the ray's march that is shown, from 0; -1 for all
+    struct camera from;        // camera of the ray of --probe; meaningful when has_from
+    struct window_start start; // what only a window needs; run_window_start adds the rest
+    const char *shader;        // --shader, or NULL for the chapter's own
+    const char *root;          // --root; NULL if it is found from the program's folder
 };
 
 enum { OPTIONS_WORDS = 64 }; // maximum number of words of a line

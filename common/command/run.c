@@ -194,17 +194,19 @@ bool run_compile(struct run *run, const struct gl *gl)
 struct window_start run_window_start(struct run *run)
 {
     const struct options *options = &run->options;
-    return (struct window_start){.title = run->title,
-                                 .stem = run->stem,
-                                 .picture = run->picture,
-                                 .pictures = options->compares ? 2 : 1,
-                                 .camera = options->camera,
-                                 .time = options->time,
-                                 .samples = options->samples,
-                                 .strokes = &run->options.strokes,
-                                 .overlay_scale = options->overlay,
-                                 .overlay_kept = options->has_overlay,
-                                 .shown = options->step + 1};
+    struct window_start start = options->start;
+    start.title = run->title;
+    start.stem = run->stem;
+    start.picture = run->picture;
+    start.pictures = options->compares ? 2 : 1;
+    start.camera = options->camera;
+    start.time = options->time;
+    start.samples = options->samples;
+    start.strokes = &run->options.strokes;
+    start.overlay_scale = options->overlay;
+    start.overlay_kept = options->has_overlay;
+    start.shown = options->step + 1;
+    return start;
 }
 
 // Check that a picture would not overwrite a file of a shader, including its textures. Returns
