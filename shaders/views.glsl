@@ -1,4 +1,4 @@
-// views.glsl - the trace as a picture: the first normal, the depth, the number of steps.
+// views.glsl - the trace as a picture: the first normal, the depth, the number of steps, that of evaluations.
 #include "ramp.glsl"
 #include "signs.glsl"
 #include "inputs.glsl"
@@ -24,35 +24,35 @@ vec3 depthView()
     return trace.end == END_HIT ? vec3(1.0 / (1.0 + square * square)) : VIEW_NOTHING;
 }
 
-// The number of steps at the bright end of the ramp, which also shows any larger number.
-const float STEPS_SHOWN = 64.0;
-
-// The legend over the picture: the ramp along the bottom, with 0, 16, 32, 48, 64 above it. The legend is
-// left out if the picture is too small.
-//   pixel  in pixels of the picture
-vec3 stepLegend(vec3 colour, vec2 pixel)
+// The legend over the picture: the ramp along the bottom, with the multiples of a quarter of its largest number
+// above it. The legend is left out if the picture is too small.
+//   largest  the number at the bright end of the ramp, a multiple of 4
+//   pixel    in pixels of the picture
+vec3 rampLegend(vec3 colour, int largest, vec2 pixel)
 {
     float unit = float(signCell());
     vec2 cell = floor(pixel / unit) - vec2(7.0, 5.0);   // in cells, from the ramp's corner
-    bool fits = iResolution.x >= 92.0 * unit && iResolution.y >= 40.0 * unit;
-    if (!fits || cell.x < -4.0 || cell.x > 73.0 || cell.y < -2.0 || cell.y > 12.0)
+    float right = 66.0 + float(numberWidth(largest, 0));
+    bool fits = iResolution.x >= (right + 19.0) * unit && iResolution.y >= 40.0 * unit;
+    if (!fits || cell.x < -4.0 || cell.x > right || cell.y < -2.0 || cell.y > 12.0)
         return colour;
     bool ramp = cell.x >= 0.0 && cell.x <= 64.0 && cell.y >= 0.0 && cell.y < 4.0;
     colour = ramp ? evenRamp(cell.x / 64.0) : vec3(0.0);
-    for (int steps = 0; steps <= int(STEPS_SHOWN); steps += 16) {
-        float tick = 64.0 * float(steps) / STEPS_SHOWN;
-        float number = numberCover(steps, 0, pixel - unit * vec2(tick + 7.0, 11.0));
+    for (int quarter = 0; quarter <= 4; quarter++) {
+        float tick = 16.0 * float(quarter);
+        float number = numberCover(quarter * largest / 4, 0, pixel - unit * vec2(tick + 7.0, 11.0));
         colour = mix(colour, vec3(1.0), cell == vec2(tick, 4.0) ? 1.0 : number);
     }
     return colour;
 }
 
-// The steps of all marches of the pixel, including shadow rays, with a legend.
-//   pixel  in pixels of the picture
-vec3 stepView(vec2 pixel)
+// A number of the trace as a colour of the ramp, with a legend.
+//   largest  the number at the bright end of the ramp, which also shows any larger number
+//   pixel    in pixels of the picture
+vec3 rampView(int number, int largest, vec2 pixel)
 {
-    float share = min(float(trace.allSteps) / STEPS_SHOWN, 1.0);
-    return stepLegend(evenRamp(share), pixel);
+    float share = min(float(number) / float(largest), 1.0);
+    return rampLegend(evenRamp(share), largest, pixel);
 }
 
 // The view that VIEW names.
@@ -64,7 +64,9 @@ vec3 traceView(vec2 pixel)
 #elif VIEW == VIEW_DEPTH
     return depthView();
 #elif VIEW == VIEW_STEPS
-    return stepView(pixel);
+    return rampView(trace.allSteps, 64, pixel); // of all marches, with those of the shadow rays
+#elif VIEW == VIEW_EVALUATIONS
+    return rampView(trace.evaluations, 256, pixel); // by marches and normals
 #else
 #error traceView has no case for this view
 #endif

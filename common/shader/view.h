@@ -23,7 +23,9 @@ enum view_kind {
     ROW(DEPTH, OF_TRACE, 3, "depth")     /* the distance at which the pixel's first march ended */ \
     ROW(STEPS, OF_COUNT, 4, "steps")     /* the total number of steps of the pixel's marches */    \
     ROW(SLICE, OF_RAY, 5, "slice")       /* the march of one ray, seen from the side */            \
-    ROW(PLOT, OF_RAY, 6, "plot")         /* below it, a plot of the distance along that ray */
+    ROW(PLOT, OF_RAY, 6, "plot")         /* below it, a plot of the distance along that ray */     \
+    ROW(EVALUATIONS, OF_COUNT, 7,                                                                  \
+        "evaluations") /* of the scene, by the pixel's march, normal and shadow */
 
 // The other programs of a course shader. Their names for users appear in messages.
 #define SHADER_PROGRAMS(ROW)                                                                       \
