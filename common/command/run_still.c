@@ -4,10 +4,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "command/sequence.h"
 #include "memory.h"
 #include "picture/panel.h"
+#include "picture/renderer_ray.h"
 #include "report.h"
-#include "command/sequence.h"
 
 // The fraction of a film during which it pauses at the first step of a march. It pauses at the last
 // step for twice as long.

@@ -6,6 +6,7 @@
 
 #include "memory.h"
 #include "picture/pen.h"
+#include "picture/slice.h"
 
 #define GAP         6.0f  // distance from the divider to a label, units
 #define NARROW      24.0f // units; a label with less room is left out

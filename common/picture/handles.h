@@ -3,7 +3,7 @@
 #ifndef HANDLES_H
 #define HANDLES_H
 
-#include "picture/renderer.h"
+#include "picture/renderer_pass.h"
 
 enum { HANDLES_MOST = 8 }; // per shader; further handles cannot be dragged
 

@@ -4,10 +4,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "picture/inspector.h"
 #include "picture/comparison.h"
+#include "picture/inspector.h"
 #include "picture/pen.h"
 #include "picture/picker.h"
+#include "picture/slice.h"
 
 #define GAP       12.0f  // distance between keys, units of the overlay
 #define LEGEND    18.0f  // top of a view's legend, in cells, as in views.glsl

@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "memory.h"
+#include "picture/renderer_ray.h"
+#include "picture/slice.h"
 #include "report.h"
 
 // Each draw call covers one tile, which is so small that no draw call occupies a GPU for seconds.
@@ -254,18 +256,25 @@ static bool draw_sides(struct renderer *renderer, const struct renderer_inputs *
 bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
                    int rows)
 {
-    struct part part = {&renderer->picture, bottom, rows, 0,   rows, 0,
-                        inputs->width,      true,   NULL, NULL};
+    struct part part = {.target = &renderer->picture,
+                        .bottom = bottom,
+                        .height = rows,
+                        .to = rows,
+                        .right = inputs->width,
+                        .fresh = true};
     return draw_sides(renderer, inputs, &part);
 }
 
 bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs,
                       const struct renderer_piece *piece)
 {
-    bool first = piece->top == inputs->height && piece->left == 0;
-    struct part part = {
-        &renderer->sharp, 0,     inputs->height, piece->bottom, piece->top, piece->left,
-        piece->right,     first, NULL,           NULL};
+    struct part part = {.target = &renderer->sharp,
+                        .height = inputs->height,
+                        .from = piece->bottom,
+                        .to = piece->top,
+                        .left = piece->left,
+                        .right = piece->right,
+                        .fresh = piece->top == inputs->height && piece->left == 0};
     return draw_sides(renderer, inputs, &part);
 }
 
@@ -356,7 +365,14 @@ static bool colour_pixel(struct renderer *renderer, const struct renderer_inputs
                          int y, unsigned char colour[3])
 {
     int band = rows_of_band(inputs), row = y % band;
-    struct part part = {&renderer->single, y - row, band, row, row + 1, x, x + 1, true, NULL, NULL};
+    struct part part = {.target = &renderer->single,
+                        .bottom = y - row,
+                        .height = band,
+                        .from = row,
+                        .to = row + 1,
+                        .left = x,
+                        .right = x + 1,
+                        .fresh = true};
     struct image pixel = {1, 1, colour};
     float value[4];
     enum shader_view view = renderer->view;

@@ -1,4 +1,4 @@
-#include "picture/renderer.h"
+#include "picture/renderer_pass.h"
 
 #include <math.h>
 #include <stdlib.h>

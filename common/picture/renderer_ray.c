@@ -1,4 +1,4 @@
-#include "picture/renderer.h"
+#include "picture/renderer_ray.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 #ifndef ROOM_H
 #define ROOM_H
 
-#include "picture/renderer.h"
+#include "picture/renderer_pass.h"
 
 // Keep a camera where the shader's cameraRoom leaves room for it, as described in
 // shaders/room.glsl. If the shader has no such function, the camera can go anywhere. The first call

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "picture/comparison.h"
+#include "picture/renderer_ray.h"
 #include "report.h"
 
 // Show the ray again, in the overlay and in a picture that reads its march.

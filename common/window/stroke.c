@@ -8,6 +8,7 @@
 #include "memory.h"
 #include "picture/comparison.h"
 #include "picture/probe.h"
+#include "picture/renderer_ray.h"
 
 #define SPACING 0.5 // minimum distance between a stroke's points, divided by the stroke's amount
 

@@ -1,6 +1,7 @@
 // steps.c - tests the steps of one ray's march: the part of the march that a slice shows, the
 // positions of the steps in another camera's picture, and the plot of the distance along the ray.
 #include "lib/test.h"
+#include "picture/renderer_ray.h"
 #include "picture/slice.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
