@@ -212,7 +212,7 @@ TEST_PARTS := $(BUILD)/tests/lib/choice.o $(PARTS) $(EXTRA)
 $(TESTS): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.o $(TEST_PARTS)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(CMOCKA) $(LINK)
 
-# The chapters are compiled to call live_run instead of chapter_run, so that a test receives their settings.
+# The chapters are compiled to call linked_run instead of chapter_run, so that a test receives their settings.
 TOGETHER_PARTS := $(STEMS:%=$(BUILD)/chapters/together/%.o) $(BUILD)/chapters.o
 $(BUILD)/tests/draw$(EXE): $(TOGETHER_PARTS)
 
@@ -244,20 +244,20 @@ $(FIGURES:%=$(BUILD)/docs/figures/%): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/docs/fig
 $(TEXTURES): $(BUILD)/%: $(BUILD)/%.o $(PAINT) $(patsubst %,$(BUILD)/common/%.o,shader/text_file memory report $(PLATFORM)) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
-# The lecture and a browser's module contain all chapters, so each main gets a different name and calls live_run, which
+# The lecture and a browser's module contain all chapters, so each main gets a different name and calls linked_run, which
 # leaves the loop to the lecture or to the page.
 $(BUILD)/chapters.o: $(BUILD)/chapters.c
 	$(call say,$(CC) $<) $(CC) $(COMPILE) -c -o $@ $<
 
 $(BUILD)/chapters.c: Makefile $(STEMS:%=chapters/%.c)
 	@mkdir -p $(@D)
-	$(call say,echo $@) { echo '#include "browser/chapters.h"'; \
+	$(call say,echo $@) { echo '#include "linked.h"'; \
 	    for stem in $(STEMS); do echo "int main_$$stem(int argc, char **argv);"; done; \
-	    echo 'const struct live_chapter live_chapters[] = {'; \
+	    echo 'const struct linked_chapter linked_chapters[] = {'; \
 	    for stem in $(STEMS); do echo "    {\"$$stem\", main_$$stem},"; done; \
 	    echo '    {0, 0}};'; } > $@
 
-TOGETHER = -Dmain=main_$(notdir $*) -Dchapter_run=live_run
+TOGETHER = -Dmain=main_$(notdir $*) -Dchapter_run=linked_run
 $(LECTURE): $(TOGETHER_PARTS) $(BUILD)/chapters/lecture.o $(COMMON) $(PAINTED) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
@@ -302,7 +302,7 @@ $(BUILD)/common/picture/font.o: $(BUILD)/common/picture/font.c $(BUILD)/flags
 # Everything is compiled again when the compiler, the flags or the libraries of the machine change.
 $(BUILD)/flags: always
 	@mkdir -p $(@D)
-	@echo '$(CC) $(COMPILE) $(LINK)' | cmp -s - $@ || echo '$(CC) $(COMPILE) $(LINK)' > $@
+	@echo '$(CC) $(COMPILE) $(TOGETHER) $(LINK)' | cmp -s - $@ || echo '$(CC) $(COMPILE) $(TOGETHER) $(LINK)' > $@
 
 # The tests and CI also use a locale with a decimal comma, if its source is installed.
 LOCALE = build/locale/fr_FR.UTF-8

@@ -32,7 +32,7 @@ library=""
 if [ $# -eq 0 ]; then
     for file in shaders/*.glsl; do
         case $file in
-        shaders/main.glsl | shaders/figure.glsl | shaders/views.glsl | shaders/ramp.glsl | shaders/slice.glsl | shaders/plot.glsl | shaders/projection.glsl | shaders/signs.glsl | shaders/inputs.glsl | shaders/marched.glsl) ;;
+        shaders/main.glsl | shaders/figure.glsl | shaders/views.glsl | shaders/ramp.glsl | shaders/slice.glsl | shaders/plot.glsl | shaders/positions.glsl | shaders/signs.glsl | shaders/inputs.glsl | shaders/marched.glsl) ;;
         *) library="$library $file" ;;
         esac
     done

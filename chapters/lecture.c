@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../common/browser/chapters.h"
+#include "../common/linked.h"
 #include "../common/command/lecture.h"
 #include "../common/report.h"
 
@@ -18,7 +18,7 @@ static struct lecture_chapter chapters[CHAPTERS];
 static int chapter_count;
 
 // Add a chapter to the list. Each chapter's main calls this function instead of chapter_run.
-int live_run(const struct chapter *chapter, int argc, char **argv)
+int linked_run(const struct chapter *chapter, int argc, char **argv)
 {
     (void)argc;
     (void)argv;
@@ -36,8 +36,8 @@ int main(int argc, char **argv)
                argv[0]);
         return RUN_WRONG_COMMAND_LINE;
     }
-    for (int i = 0; live_chapters[i].stem != NULL && chapter_count < CHAPTERS; i++)
-        live_chapters[i].main(1, argv);
+    for (int i = 0; linked_chapters[i].stem != NULL && chapter_count < CHAPTERS; i++)
+        linked_chapters[i].main(1, argv);
     int status = lecture_read(&lecture, argv[argc - 1], chapters, chapter_count);
     if (status == RUN_DONE && prints)
         lecture_print(lecture);

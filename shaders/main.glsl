@@ -6,7 +6,7 @@
 
 #include "cover.glsl"
 #include "inputs.glsl"
-#include "projection.glsl"
+#include "positions.glsl"
 #include "plot.glsl"
 #include "room.glsl"
 #include "scene.glsl"

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "browser/chapters.h"
+#include "linked.h"
 #include "browser/state.h"
 #include "chapter.h"
 #include "command/options.h"
@@ -23,7 +23,7 @@
 static struct {
     struct chapter chapter;
     struct run *run; // NULL before the first start and after a stop
-    const struct live_chapter *program;
+    const struct linked_chapter *program;
     char *line; // the command line, split into arguments
     char *argument[OPTIONS_WORDS + 1];
     int count;
@@ -56,7 +56,7 @@ static void forget(void)
 // reporting the error.
 static bool split(const char *stem, const char *line)
 {
-    live.program = live_chapters;
+    live.program = linked_chapters;
     while (live.program->stem != NULL && strcmp(live.program->stem, stem) != 0)
         live.program++;
     if (live.program->stem == NULL)
@@ -75,7 +75,7 @@ static void add_file(void *json, const char *path)
     json_text(json, NULL, path);
 }
 
-int live_run(const struct chapter *chapter, int argc, char **argv)
+int linked_run(const struct chapter *chapter, int argc, char **argv)
 {
     live.chapter = *chapter;
     if (live.begins) {

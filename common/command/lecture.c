@@ -305,7 +305,7 @@ static void compile_ahead(struct lecture *lecture)
 // ---- The window ----
 
 // Show the scene that the speaker has reached. Returns false after reporting the error.
-static bool show(struct lecture *lecture, bool from_behind)
+static bool show(struct lecture *lecture, bool at_last)
 {
     struct scene *scene = &lecture->scene[lecture->at];
     if (!compile_with(lecture, scene))
@@ -319,7 +319,7 @@ static bool show(struct lecture *lecture, bool from_behind)
     fflush(stdout);
     lecture->shown = lecture->at;
     if (lecture->window != NULL)
-        window_show(lecture->window, &scene->start, from_behind);
+        window_show(lecture->window, &scene->start, at_last);
     forget_far(lecture);
     return true;
 }

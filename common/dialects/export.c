@@ -113,8 +113,8 @@ static int put_meaning(struct export *e, const struct input *input)
 static bool is_left_out(const struct export *e, const char *file)
 {
     static const char *const names[] = {
-        "shaders/main.glsl", "shaders/views.glsl",      "shaders/ramp.glsl",  "shaders/slice.glsl",
-        "shaders/plot.glsl", "shaders/projection.glsl", "shaders/cover.glsl", "shaders/room.glsl"};
+        "shaders/main.glsl", "shaders/views.glsl",     "shaders/ramp.glsl",  "shaders/slice.glsl",
+        "shaders/plot.glsl", "shaders/positions.glsl", "shaders/cover.glsl", "shaders/room.glsl"};
     if (strcmp(file, "shaders/signs.glsl") == 0)
         return !e->writes;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)

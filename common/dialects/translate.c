@@ -9,7 +9,7 @@
 #include "dialects/tool_inputs.h"
 #include "dialects/translation.h"
 
-// toy_behind follows the author's text. Macros of that text also apply to toy_behind, so it uses
+// toy_after follows the author's text. Macros of that text also apply to toy_after, so it uses
 // few words.
 static const char toy_front[] =
     "out vec4 harnessColour;\n"
@@ -17,7 +17,7 @@ static const char toy_front[] =
     "vec2 harnessPixel;\n"
     "void harnessBegin() { harnessPixel = harnessFragCoord.xy; }\n"
     "void harnessEnd() { harnessColour = vec4(clamp(harnessOwn.rgb, 0.0, 1.0), 1.0); }\n";
-static const char toy_behind[] =
+static const char toy_after[] =
     "#undef void\n#undef main\n#undef mainImage\n"
     "void main() { harnessBegin(); mainImage(harnessOwn, harnessPixel); harnessEnd(); }\n";
 
@@ -82,7 +82,7 @@ static void write_text(struct translation *t, const char *begin, char **body)
     if (main != NULL && begin[0] != '\0')
         edits_add(&t->edits, glsl_next(t->code, main + 1)->begin + 1, 0, "%s", begin);
     char *text = edits_apply(&t->edits, t->source->text);
-    *body = memory_text("%s%s", text, t->toy && !t->exported ? toy_behind : "");
+    *body = memory_text("%s%s", text, t->toy && !t->exported ? toy_after : "");
     free(text);
 }
 

@@ -17,7 +17,7 @@ struct handle {
 };
 
 // Find the positions of a shader's handles in a picture, whatever pixelRay the shader defines.
-//   formula  shaders/projection.glsl finds the pixels of the points p, p + e a and p + e b, where a
+//   formula  shaders/positions.glsl finds the pixels of the points p, p + e a and p + e b, where a
 //            and b are the axes, and e is a hundredth of the distance to the camera, but at least
 //            0.001; move is the difference divided by e, which is the derivative up to terms of
 //            order e

@@ -80,14 +80,14 @@ static void edged(struct overlay *overlay, const float from[2], const float to[2
 
 static void mark_arrow(struct overlay *overlay, const float from[2], const float to[2])
 {
-    float way[2] = {to[0] - from[0], to[1] - from[1]}, length = hypotf(way[0], way[1]);
+    float along[2] = {to[0] - from[0], to[1] - from[1]}, length = hypotf(along[0], along[1]);
     float head = fminf(7.0f, 0.5f * length);
     if (length < 4.0f) // too short to be seen
         return;
     edged(overlay, from, to, 2.0f, PEN_HERE);
     for (int side = -1; side <= 1; side += 2) {
-        float turned[2] = {-0.87f * way[0] - (float)side * 0.5f * way[1],
-                           -0.87f * way[1] + (float)side * 0.5f * way[0]};
+        float turned[2] = {-0.87f * along[0] - (float)side * 0.5f * along[1],
+                           -0.87f * along[1] + (float)side * 0.5f * along[0]};
         float barb[2] = {to[0] + head / length * turned[0], to[1] + head / length * turned[1]};
         overlay_line(overlay, to, barb, 2.0f, PEN_HERE);
     }

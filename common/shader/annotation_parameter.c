@@ -185,16 +185,20 @@ static bool read_type(struct annotation *a)
                              a->type->text);
 }
 
+// Read everything that a number has, from its value to its step. A handle needs no range.
+static bool read_number_value(struct annotation *a)
+{
+    return read_values(a) && read_handle(a) &&
+           (a->parameter.handle != HANDLE_NONE || read_range(a)) && read_step(a);
+}
+
 static bool read_parameter(struct annotation *a)
 {
     struct parameter *p = &a->parameter;
     if (!annotation_declaration(a) || !read_type(a))
         return false;
     memcpy(p->name, a->name, sizeof p->name);
-    bool number = p->type != PARAMETER_BOOL;
-    if (number ? !read_values(a) || !read_handle(a) ||
-                     !(p->handle != HANDLE_NONE || read_range(a)) || !read_step(a)
-               : !read_bool_value(a))
+    if (p->type == PARAMETER_BOOL ? !read_bool_value(a) : !read_number_value(a))
         return false;
     memcpy(p->initial, p->value, sizeof p->initial);
     return read_words(a);

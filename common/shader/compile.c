@@ -44,12 +44,12 @@ static struct shader_source vertex_for(const struct shader_source *vertex,
                                        const struct shader_source *fragment)
 {
     struct shader_source stage = *vertex;
-    char *before, *behind;
-    inputs_vertex(fragment, &before, &behind);
+    char *before, *after;
+    inputs_vertex(fragment, &before, &after);
     stage.prelude = memory_text("%s%s", GL_GLSL, before);
-    stage.body = memory_text("%s%s", vertex->text, behind);
+    stage.body = memory_text("%s%s", vertex->text, after);
     free(before);
-    free(behind);
+    free(after);
     return stage;
 }
 

@@ -78,11 +78,11 @@ bool inputs_reads(const struct gl *gl, GLuint program, const struct shader_sourc
 // The vertex shader's own FragCoord, the position on the screen, is renamed to harnessPosition.
 // Each position that the source reads is computed from harnessPosition, with as many components as
 // the source declares.
-void inputs_vertex(const struct shader_source *source, char **before, char **behind)
+void inputs_vertex(const struct shader_source *source, char **before, char **after)
 {
     static const char *const types[] = {"float", "vec2", "vec3", "vec4"};
     static const char *const values[] = {"(%s).x", "%s", "vec3(%s, 0.0)", "vec4(%s, 0.0, 1.0)"};
-    FILE *declarations = memory_open(before), *main = memory_open(behind);
+    FILE *declarations = memory_open(before), *main = memory_open(after);
     fputs("#define iResolution harnessResolution\n", declarations);
     fputs("#undef FragCoord\n#undef main\nvoid main()\n{\n    harnessMain();\n", main);
     for (int i = 0; i < source->input_count; i++) {

@@ -88,7 +88,7 @@ bool inputs_reads(const struct gl *gl, GLuint program, const struct shader_sourc
 
 // Write the lines before and after the vertex shader, which compute the positions that the source
 // reads. The caller frees both texts.
-void inputs_vertex(const struct shader_source *source, char **before, char **behind);
+void inputs_vertex(const struct shader_source *source, char **before, char **after);
 
 // Set the inputs of the program in use.
 //   location  the location of each input of the source

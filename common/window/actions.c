@@ -13,7 +13,7 @@
 #include "window/handle.h"
 #include "window/keys.h"
 #include "window/pointer.h"
-#include "window/projection.h"
+#include "window/lens.h"
 #include "window/ray.h"
 #include "window/selection.h"
 #include "window/stroke.h"

@@ -18,8 +18,8 @@ void window_field_close(struct window *window)
 
 void window_field_open(struct window *window)
 {
-    int first, behind;
-    const struct parameter *parameter = window_grabbed(window, &first, &behind);
+    int first, end;
+    const struct parameter *parameter = window_grabbed(window, &first, &end);
     if (parameter == NULL || window->grab.what != GRAB_VALUE)
         return;
     if (window->grab.part < 0)
@@ -33,8 +33,8 @@ void window_field_open(struct window *window)
 // Assign the typed value as --set does. If it is refused, the reason is shown beside the row.
 static void assign(struct window *window)
 {
-    int first, behind;
-    const struct parameter *parameter = window_grabbed(window, &first, &behind);
+    int first, end;
+    const struct parameter *parameter = window_grabbed(window, &first, &end);
     char text[512] = "";
     if (parameter == NULL) {
         window_field_close(window);

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "picture/comparison.h"
-#include "window/projection.h"
+#include "window/lens.h"
 #include "window/state.h"
 
 // Add the label, on the user's keyboard, of a key that is named as on an American keyboard: on a

@@ -98,16 +98,16 @@ static void press(struct window *window, const struct window_event *event)
 
 static void drag(struct window *window, const struct window_event *event)
 {
-    int first, behind;
+    int first, end;
     double right = (double)(event->unit[0] - window->grab.at[0]);
-    struct parameter *parameter = window_grabbed(window, &first, &behind);
+    struct parameter *parameter = window_grabbed(window, &first, &end);
     if (window->grab.what == GRAB_TITLE)
         window->panel.right = event->pixel[0] > 0.5 * window->inputs.width;
     if (window->grab.what != GRAB_VALUE || window->grab.button != 0 || parameter == NULL)
         return;
     if (window->input.held[HELD_FASTER])
         right *= FINE;
-    for (int k = first; k < behind; k++) {
+    for (int k = first; k < end; k++) {
         window->grab.fraction[k] += right / (double)window->grab.width;
         parameter_put(parameter, k, window->grab.fraction[k]);
     }
@@ -144,8 +144,8 @@ static void click_words(struct window *window)
 
 static void click(struct window *window)
 {
-    int first, behind;
-    struct parameter *parameter = window_grabbed(window, &first, &behind);
+    int first, end;
+    struct parameter *parameter = window_grabbed(window, &first, &end);
     bool resets = window->grab.button != 0;
     if (!resets)
         click_words(window);
@@ -153,7 +153,7 @@ static void click(struct window *window)
         return;
     if (resets)
         memcpy(parameter->value + first, parameter->initial + first,
-               (size_t)(behind - first) * sizeof *parameter->value);
+               (size_t)(end - first) * sizeof *parameter->value);
     else if (window->grab.what == GRAB_SWATCH)
         window_picker_open(window);
     else if (window->grab.what == GRAB_SWITCH)

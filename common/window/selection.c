@@ -25,14 +25,14 @@ void window_select(struct window *window, const struct parameter *parameter)
     window->title.due = 0.0;
 }
 
-struct parameter *window_grabbed(const struct window *window, int *first, int *behind)
+struct parameter *window_grabbed(const struct window *window, int *first, int *end)
 {
     struct parameter *parameter = window_selected(window);
     int part = window->grab.part;
     if (parameter == NULL || part >= parameter->components)
         return NULL;
     *first = part < 0 ? 0 : part;
-    *behind = part < 0 ? parameter->components : part + 1;
+    *end = part < 0 ? parameter->components : part + 1;
     return parameter;
 }
 

@@ -13,9 +13,9 @@ struct parameter *window_selected(const struct window *window);
 void window_select(struct window *window, const struct parameter *parameter);
 
 // Return the selected parameter, and the range of its components that the last press on the panel
-// grabbed: from *first up to, but not including, *behind. Returns NULL if the shader has no such
+// grabbed: from *first up to, but not including, *end. Returns NULL if the shader has no such
 // component.
-struct parameter *window_grabbed(const struct window *window, int *first, int *behind);
+struct parameter *window_grabbed(const struct window *window, int *first, int *end);
 
 // Call this after the value of a parameter has changed.
 void window_parameter_changed(struct window *window);

@@ -95,8 +95,8 @@ void window_stroke_rest(struct window *window)
         return;
     const struct stroke *stroke = &strokes->item[strokes->count - 1];
     for (int i = 0; i < 3; i++) {
-        double way = point[i] - stroke->point[stroke->points - 1][i];
-        squared += way * way;
+        double difference = point[i] - stroke->point[stroke->points - 1][i];
+        squared += difference * difference;
     }
     if (sqrt(squared) >= SPACING * fabs(stroke->amount))
         add(window, point);

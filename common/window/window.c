@@ -13,7 +13,7 @@
 #include "window/draw.h"
 #include "window/full_screen.h"
 #include "window/handle.h"
-#include "window/projection.h"
+#include "window/lens.h"
 #include "picture/probe.h"
 #include "window/ray.h"
 #include "window/screenshot.h"

@@ -2,12 +2,12 @@
 
 #include <string.h>
 
-#include "browser/chapters.h"
+#include "linked.h"
 
 static struct chapter called;
 
 // Called by each chapter's main instead of chapter_run.
-int live_run(const struct chapter *chapter, int argc, char **argv)
+int linked_run(const struct chapter *chapter, int argc, char **argv)
 {
     (void)argc;
     (void)argv;
@@ -17,7 +17,7 @@ int live_run(const struct chapter *chapter, int argc, char **argv)
 
 bool programs_find(const char *stem, struct chapter *chapter)
 {
-    for (const struct live_chapter *each = live_chapters; each->stem != NULL; each++)
+    for (const struct linked_chapter *each = linked_chapters; each->stem != NULL; each++)
         if (strcmp(each->stem, stem) == 0) {
             each->main(0, NULL);
             *chapter = called;

@@ -2,7 +2,7 @@
 
 #include <unistd.h>
 
-#include "browser/chapters.h"
+#include "linked.h"
 #include "command/lecture.h"
 #include "lib/compare.h"
 #include "lib/gpu.h"
@@ -148,9 +148,9 @@ void session_open_lecture(const char *list)
 {
     static struct lecture_chapter chapters[CHAPTERS];
     int count = 0;
-    for (; live_chapters[count].stem != NULL; count++) {
+    for (; linked_chapters[count].stem != NULL; count++) {
         struct chapter chapter;
-        assert_true(count < CHAPTERS && programs_find(live_chapters[count].stem, &chapter));
+        assert_true(count < CHAPTERS && programs_find(linked_chapters[count].stem, &chapter));
         chapters[count] =
             (struct lecture_chapter){chapter.stem, chapter.title, chapter.camera, chapter.tool};
     }

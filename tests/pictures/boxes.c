@@ -10,6 +10,7 @@
 
 #include "picture/comparison.h"
 #include "picture/pen.h"
+#include "picture/slice.h"
 #include "shader/source.h"
 #include "window/keys.h"
 #include "window/state.h"

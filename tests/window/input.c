@@ -7,7 +7,7 @@
 #include "window/colour_picker.h"
 #include "window/field.h"
 #include "window/keys.h"
-#include "window/projection.h"
+#include "window/lens.h"
 #include "window/state.h"
 
 static struct window tested;

@@ -19,7 +19,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "browser/chapters.h"
+#include "linked.h"
 #include "lib/events.h"
 #include "lib/gpu.h"
 #include "lib/scratch.h"
@@ -66,7 +66,7 @@ static void add_program(const char *name, const char *stem, const char *options,
 // Return the stem of the chapter with a number, "23".
 static const char *stem_of(const char *number)
 {
-    for (const struct live_chapter *each = live_chapters; each->stem != NULL; each++)
+    for (const struct linked_chapter *each = linked_chapters; each->stem != NULL; each++)
         if (strncmp(each->stem, number, 2) == 0)
             return each->stem;
     fail_msg("chapter %s: not found", number);
@@ -86,7 +86,7 @@ static void list_programs(void)
     add_program("figure 04_blend", stem_of("04"),
                 "--size 320x200 --shader chapters/figures/04_blend.frag", NULL);
     add_program("sculpting, compared", stem_of("23"), OWN " --set tool=-0.1 --compare %s", NULL);
-    for (const struct live_chapter *each = live_chapters; each->stem != NULL; each++)
+    for (const struct linked_chapter *each = linked_chapters; each->stem != NULL; each++)
         add_program(each->stem, each->stem, OWN, NULL);
     snprintf(pattern, sizeof pattern, "%s/chapters/figures/*.frag", gpu_project_root());
     assert_int_equal(glob(pattern, 0, NULL, &found), 0);

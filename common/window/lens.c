@@ -1,4 +1,4 @@
-#include "window/projection.h"
+#include "window/lens.h"
 
 #include <math.h>
 

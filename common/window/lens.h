@@ -1,6 +1,6 @@
-// projection.h - focal length, and the transition between perspective and orthographic view.
-#ifndef WINDOW_PROJECTION_H
-#define WINDOW_PROJECTION_H
+// lens.h - focal length, and the transition between perspective and orthographic view.
+#ifndef WINDOW_LENS_H
+#define WINDOW_LENS_H
 
 #include "window/state.h"
 

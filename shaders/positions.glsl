@@ -1,4 +1,4 @@
-// projection.glsl - the position in the picture of a point in space, for any chapter's pixelRay.
+// positions.glsl - the position in the picture of a point in space, for any chapter's pixelRay.
 #include "inputs.glsl"
 #include "scene.glsl"
 
