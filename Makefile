@@ -323,7 +323,8 @@ all: ## build every chapter's program in build/ (the default)
 	@.make/setup.sh --check run
 	+@$(AGAIN) programs
 
-run: ready ## open a chapter in a window: make run CHAPTER=03 OPTIONS='--time 2', or a figure: make run FIGURE=01_march; without a display, render them
+run: ready ## open the course in a window, at chapter 03: make run CHAPTER=03; this chapter alone, with options: OPTIONS='--time 2', or a figure: make run FIGURE=01_march; without a display, render them
+	+@$(AGAIN) lecture_program
 	@.make/run.sh $(OPTIONS)
 
 play: ready ## open your own shader in a window: make play FILE=my.frag; without FILE, create and open chapters/play.frag

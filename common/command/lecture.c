@@ -15,7 +15,7 @@ struct scene {
     char *words;                   // owned
     char *sentence;                // in the list, like text; NULL if there is none
     char *end;                     // the end of the sentence
-    char *caption;                 // its number and sentence, owned
+    char *caption;                 // its number and sentence, owned; NULL in a course
     struct run run;                // its options, and its pictures if they are compiled
     struct window_start start;
 };
@@ -28,10 +28,11 @@ struct lecture {
     const char **part; // names, which are in text; the array is owned
     int parts;
     struct context context;
-    struct window *window; // NULL until it is open
-    int at;                // the scene that the speaker has reached
-    int shown;             // the scene that is shown; differs from at if scene[at] has failed
-    int tried;             // the last scene that compile_ahead has tried to compile
+    struct window *window;    // NULL until it is open
+    int at;                   // the scene that the speaker has reached
+    int shown;                // the scene that is shown; differs from at if scene[at] has failed
+    int tried;                // the last scene that compile_ahead has tried to compile
+    struct contents contents; // of a course; its items are owned
 };
 
 // ---- The list ----
@@ -70,9 +71,7 @@ static int read_scene(struct scene *scene, const struct lecture_chapter *chapter
                "--print-shader, --help and --version have no meaning here");
         return RUN_WRONG_COMMAND_LINE;
     }
-    if (!run_find_root(&scene->run) || !run_find_shader(&scene->run))
-        return RUN_NOT_DONE;
-    return run_read_shaders(&scene->run);
+    return run_find_root(&scene->run) && run_find_shader(&scene->run) ? RUN_DONE : RUN_NOT_DONE;
 }
 
 static void add_part(struct lecture *lecture, const char *name)
@@ -162,12 +161,40 @@ int lecture_read(struct lecture **lecture, const char *path, const struct lectur
         struct scene *scene = &new->scene[i];
         begin_line(new, scene->line);
         status = read_scene(scene, chapters, count);
+        if (status == RUN_DONE)
+            status = run_read_shaders(&scene->run);
         scene->caption = memory_text("%d/%d  %s", i + 1, new->count,
                                      scene->sentence != NULL ? scene->sentence : "");
         report_clean(scene->caption, strlen(scene->caption) + 1, scene->caption);
     }
     report_location(NULL);
     return status;
+}
+
+int lecture_course(struct lecture **lecture, const char *first,
+                   const struct lecture_chapter *chapters, int count)
+{
+    struct lecture *new = *lecture = memory_zeros(1, sizeof *new);
+    struct contents_item *item = memory_zeros((size_t)count, sizeof *item);
+    *new = (struct lecture){.path = "the course", .shown = -1, .tried = -1};
+    new->contents = (struct contents){item, count};
+    const struct lecture_chapter *from = first != NULL ? find(chapters, count, first) : chapters;
+    if (from == NULL)
+        return RUN_WRONG_COMMAND_LINE;
+    new->at = (int)(from - chapters);
+    for (int i = 0; i < count; i++) {
+        const struct lecture_chapter *chapter = &chapters[i];
+        if (!add_scene(new, i + 1, chapter->stem))
+            return RUN_NOT_DONE;
+        struct scene *scene = &new->scene[i];
+        int status = read_scene(scene, chapters, count);
+        if (status != RUN_DONE)
+            return status;
+        item[i].name = chapter->title;
+        item[i].shows = chapter->shows;
+        item[i].picture = memory_text("%s/tests/references/%s.png", scene->run.root, chapter->stem);
+    }
+    return RUN_DONE;
 }
 
 static void print_field(const char *text, char end)
@@ -312,10 +339,13 @@ static bool show(struct lecture *lecture, bool at_last)
         return false;
     scene->start = run_window_start(&scene->run);
     scene->start.caption = scene->caption;
+    scene->start.scene = lecture->at;
+    if (lecture->contents.count > 0)
+        scene->start.contents = &lecture->contents;
     scene->start.paused |= scene->run.options.has_time;
     if (scene->run.options.setting_count > 0)
         scene->start.selected = scene->run.options.settings[0];
-    printf("%s\n", scene->caption);
+    printf("%s\n", scene->caption != NULL ? scene->caption : scene->start.title);
     fflush(stdout);
     lecture->shown = lecture->at;
     if (lecture->window != NULL)
@@ -326,17 +356,18 @@ static bool show(struct lecture *lecture, bool at_last)
 
 int lecture_open(struct lecture *lecture)
 {
-    struct run *first = &lecture->scene[0].run;
+    struct run *first = &lecture->scene[lecture->at].run;
     const struct options *options = &first->options;
     if (!context_open_window(&lecture->context, options->backend, first->title, options->width,
                              options->height))
         return RUN_NO_WINDOW;
     if (!show(lecture, false))
         return RUN_NOT_DONE;
-    lecture->window = window_open(&lecture->context, &lecture->scene[0].start);
+    lecture->window = window_open(&lecture->context, &lecture->scene[lecture->at].start);
     if (lecture->window == NULL)
         return RUN_NOT_DONE;
-    window_fill_screen(lecture->window);
+    if (lecture->contents.count == 0)
+        window_fill_screen(lecture->window);
     return RUN_DONE;
 }
 
@@ -357,8 +388,8 @@ static int first_of(const struct lecture *lecture, int part)
 void lecture_follow(void *of)
 {
     struct lecture *lecture = of;
-    int part, scenes = window_asked(lecture->window, &part);
-    int to = part > 0 ? first_of(lecture, part) : lecture->at + scenes;
+    int part, scene, scenes = window_asked(lecture->window, &part, &scene);
+    int to = part > 0 ? first_of(lecture, part) : scene > 0 ? scene - 1 : lecture->at + scenes;
     to = to < 0 ? 0 : to >= lecture->count ? lecture->count - 1 : to;
     if (part > 0 || to != lecture->at) {
         lecture->at = to;
@@ -377,6 +408,9 @@ void lecture_close(struct lecture *lecture)
         free(scene->words);
         free(scene->caption);
     }
+    for (int i = 0; i < lecture->contents.count; i++)
+        free(lecture->contents.item[i].picture);
+    free((void *)lecture->contents.item);
     context_close(&lecture->context);
     free(lecture->scene);
     free(lecture->part);

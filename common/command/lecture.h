@@ -1,5 +1,5 @@
-// lecture.h - show the scenes of a list one after another in one window. The next scene is compiled
-// while the current one is shown.
+// lecture.h - show the scenes of a list, or all chapters, one after another in one window. The next
+// scene is compiled while the current one is shown.
 //
 // A list is a text file with lines of these kinds:
 //
@@ -18,8 +18,8 @@ enum { LECTURE_SCENES = 1000 }; // maximum number of scenes
 
 // A chapter that a scene may name.
 struct lecture_chapter {
-    const char *stem, *title;
-    struct camera camera; // the initial view
+    const char *stem, *title, *shows; // as in struct chapter
+    struct camera camera;             // the initial view
     const struct sculpture_tool *tool;
 };
 
@@ -36,12 +36,19 @@ struct lecture;
 int lecture_read(struct lecture **lecture, const char *path, const struct lecture_chapter *chapters,
                  int count);
 
+// Make a lecture of all chapters, which has no captions but a sheet of contents. A shader is read
+// when its chapter is about to be shown, so that an error in one chapter does not lock the others.
+//   first  the chapter that is shown first; NULL for chapter 00
+// The other parameters and the result are those of lecture_read.
+int lecture_course(struct lecture **lecture, const char *first,
+                   const struct lecture_chapter *chapters, int count);
+
 // Print the scenes on standard output, one per line, for the scripts that make slides: number,
 // part, stem, the scene's options and its sentence, separated by the character with code 31.
 void lecture_print(const struct lecture *lecture);
 
-// Fill the screen with the first scene. Returns the exit status so far, which is RUN_NO_WINDOW if
-// no window can be opened.
+// Show the first scene: a lecture fills the screen, and the course opens a window. Returns the exit
+// status so far, which is RUN_NO_WINDOW if no window can be opened.
 int lecture_open(struct lecture *lecture);
 
 // The window of the lecture, whose loop the caller runs; NULL before the lecture is open.

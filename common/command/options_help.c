@@ -21,19 +21,19 @@ static void print_wrapped(FILE *file, const char *text, int indent)
     fprintf(file, "\n");
 }
 
-// Print the keys, those of a lecture last.
+// Print the keys, those that change the scene last.
 static void print_keys(FILE *file)
 {
     const int indent = 21;
     if (window_keys->label != NULL)
         fprintf(file,
                 "In the window, with keys named by their position on an American keyboard:\n");
-    for (int lecture = 0; lecture < 2; lecture++)
+    for (int scenes = 0; scenes < 2; scenes++)
         for (const struct key_row *row = window_keys; row->label != NULL; row++) {
             int width = 0; // characters, of which an arrow has three bytes
             for (const char *c = row->label; *c != '\0'; c++)
                 width += ((unsigned char)*c & 0xC0) != 0x80;
-            if ((row->condition == KEY_IN_LECTURE) != lecture)
+            if ((row->condition >= KEY_WITH_SCENES) != scenes)
                 continue;
             fprintf(file, "  %s%*s", row->label, indent - 2 - width, "");
             print_wrapped(file, row->meaning, indent);

@@ -23,12 +23,14 @@ static float widest_text(const struct overlay *overlay)
     return pen_picture_width(overlay) - 2.0f * (PEN_MARGIN + PEN_PADDING);
 }
 
-// Return the error or, if there is none and the panel is not folded, the note on an input without a
-// value. Returns "" if neither is shown.
+// Return the error or, if there is none, the note on a key or, if the panel is not folded, on an
+// input without a value. Returns "" if none is shown.
 static const char *words_of(const struct panel *panel)
 {
     if (panel->error != NULL && panel->error[0] != '\0')
         return panel->error;
+    if (panel->note != NULL)
+        return panel->note;
     return panel->unset != NULL && !panel->folded ? panel->unset : "";
 }
 
@@ -57,7 +59,8 @@ static float error_height(const struct panel *panel, const struct overlay *overl
 static float write_error(const struct panel *panel, struct overlay *overlay, float bottom)
 {
     const char *words = words_of(panel);
-    const char *heading = words == panel->unset ? "An input without a value"
+    const char *heading = words == panel->unset  ? "An input without a value"
+                          : words == panel->note ? "This key does nothing here"
                           : panel->broken
                               ? "Error: the last good picture stays until the next good save"
                               : "This view cannot be shown";

@@ -47,6 +47,7 @@ struct panel {
     struct inspector_table *table; // receives the table of the ray's march; may be NULL
     struct picker *picker; // the selected colour's picker, to be placed and drawn; NULL if closed
     const char *hint;      // one line about the main keys
+    const char *note;      // why a key does nothing; NULL if there is no note
     const char *caption;   // caption of a lecture, shown at the bottom
     const struct panel_key *keys;
     int key_count;

@@ -8,6 +8,7 @@
 #include "picture/probe.h"
 #include "picture/room.h"
 #include "report.h"
+#include "window/contents.h"
 #include "window/field.h"
 #include "window/full_screen.h"
 #include "window/handle.h"
@@ -91,10 +92,15 @@ static void reset(struct window *window)
     window_parameter_changed(window);
 }
 
-// Go to the first step of the selected ray. If there is none, reset the selected parameter.
+// Go to the first step of the selected ray. If there is none, show the contents or, outside a
+// course, reset the selected parameter.
 static void go_first(struct window *window)
 {
-    if (!window_step_to(window, false))
+    if (window_step_to(window, false))
+        return;
+    if (window_has_contents(window))
+        window_toggle_contents(window);
+    else
         reset(window);
 }
 
@@ -124,7 +130,7 @@ static bool goes_on(const struct window *window, int by)
 // scenes.
 static void change_scene(struct window *window, int by)
 {
-    if (window->start->caption != NULL)
+    if (window_has_scenes(window))
         window->asked.scenes = by;
 }
 
@@ -136,7 +142,7 @@ static void turn_page(struct window *window, int by)
 
 static void step_by_page(struct window *window, int by)
 {
-    if (window->start->caption == NULL || goes_on(window, by))
+    if (!window_has_scenes(window) || goes_on(window, by))
         window_step(window, by);
 }
 
@@ -146,34 +152,39 @@ static void step_by_page(struct window *window, int by)
 #define VIEW_WORD(id, kind, key, name) " " #key " " name
 // clang-format off
 const struct key_row window_keys[] = {
-    {.label = "Page Up Page Down", .does = "scene, step", .condition = KEY_IN_LECTURE,
-     .meaning = "in a lecture, go to the scene before or to the next one; if the scene began with the "
-                "steps of a ray, first to its next step. Elsewhere the same as Q and E",
+    {.label = "Page Up Page Down", .does = "scene, step", .condition = KEY_WITH_SCENES,
+     .meaning = "in the course or in a lecture, go to the chapter or the scene before or to the next one; if "
+                "a scene began with the steps of a ray, first to its next step. Elsewhere the same as Q and E",
      .binding = {{GLFW_KEY_PAGE_DOWN, .change = turn_page, .amount = 1, .shifted = 1},
                  {GLFW_KEY_PAGE_UP, .change = turn_page, .amount = -1, .shifted = -1},
                  {GLFW_KEY_PAGE_DOWN, .change = step_by_page, .amount = 1, .shifted = 1, .repeats = true},
                  {GLFW_KEY_PAGE_UP, .change = step_by_page, .amount = -1, .shifted = -1, .repeats = true}}},
-    {.label = "N", .does = "next scene", .condition = KEY_IN_LECTURE,
+    {.label = "N", .does = "next scene", .condition = KEY_WITH_SCENES,
      .meaning = "in a lecture, and in the list of a class's wrong pictures, go to the next scene without "
                 "the steps of a ray; with Shift, go back",
      .binding = {{GLFW_KEY_N, .change = change_scene, .amount = 1, .shifted = -1}}},
+    {.label = "Home", .does = "contents", .condition = KEY_IN_COURSE,
+     .meaning = "in the course, show all chapters, unless a ray is selected",
+     .binding = {{0}}}, // go_first
     {.label = "Shift+1…9", .does = "part", .condition = KEY_IN_LECTURE,
      .meaning = "in a lecture, go to a part",
      .binding = {{0}}}, // ask_part
-    {.label = "W A S D", .does = "move",
+    {.label = "W A S D", .does = "move", .condition = KEY_WITH_CAMERA,
      .meaning = "move horizontally. In most chapters from 03 on, the camera stops at the ground and at the "
                 "water"},
-    {.label = "Space C", .does = "up, down", .meaning = "move up or down; Left Ctrl is the same as C"},
-    {.label = "Shift F", .does = "faster", .meaning = "hold one of them to move faster"},
-    {.label = "drag", .does = "look around",
+    {.label = "Space C", .does = "up, down", .condition = KEY_WITH_CAMERA,
+     .meaning = "move up or down; Left Ctrl is the same as C"},
+    {.label = "Shift F", .does = "faster", .condition = KEY_WITH_CAMERA,
+     .meaning = "hold one of them to move faster"},
+    {.label = "drag", .does = "look around", .condition = KEY_WITH_CAMERA,
      .meaning = "look around; on the line between two pictures of --compare, move this line"},
-    {.label = "M", .does = "capture mouse",
+    {.label = "M", .does = "capture mouse", .condition = KEY_WITH_CAMERA,
      .meaning = "capture the mouse, so that you can look around without holding a button, or release it"},
     {.label = "click", .does = "select ray",
      .meaning = "select a pixel and show the march of its ray step by step; on a line of that table, go to "
                 "the step. A second click on the same pixel deselects it. When the camera moves, the ray "
                 "stays where it is in space"},
-    {.label = "Q E", .does = "step back, on",
+    {.label = "Q E", .does = "step back, on", .condition = KEY_WITH_MARCH,
      .meaning = "go one step back or forward along the ray; hold to repeat. If no ray is selected, they "
                 "select the ray of the middle pixel",
      .binding = {{GLFW_KEY_E, .change = window_step, .amount = 1, .shifted = 1, .repeats = true},
@@ -183,9 +194,9 @@ const struct key_row window_keys[] = {
      .binding = {{GLFW_KEY_HOME, .act = go_first}, {GLFW_KEY_END, .act = go_last}}},
     {.label = "X", .does = "deselect ray", .condition = KEY_WITH_RAY, .meaning = "deselect the ray",
      .binding = {{GLFW_KEY_X, .act = window_deselect_ray}}},
-    {.label = "wheel", .does = "zoom",
+    {.label = "wheel", .does = "zoom", .condition = KEY_WITH_CAMERA,
      .meaning = "change the focal length; in the slice and the plot, zoom"},
-    {.label = &(SHADER_VIEWS(VIEW_KEY))[1], .does = "view",
+    {.label = &(SHADER_VIEWS(VIEW_KEY))[1], .does = "view", .condition = KEY_WITH_MARCH,
      .meaning = "switch to another view, also on the number pad:" SHADER_VIEWS(VIEW_WORD),
      .binding = {{GLFW_KEY_1, .change = window_show_view, .count = SHADER_VIEW_COUNT}}},
     {.label = "↑ ↓", .does = "select", .condition = KEY_WITH_PARAMETERS,
@@ -209,7 +220,8 @@ const struct key_row window_keys[] = {
     {.label = "Tab", .does = "orthographic", .condition = KEY_WITH_PROJECTIONS,
      .meaning = "switch between the perspective and the orthographic view, if the shader has both",
      .binding = {{GLFW_KEY_TAB, .act = window_toggle_orthographic}}},
-    {.label = "Esc", .does = "pause", .meaning = "pause or resume",
+    {.label = "Esc", .does = "pause", .condition = KEY_WITH_TIME,
+     .meaning = "pause or resume",
      .binding = {{GLFW_KEY_ESCAPE, .act = pause}}},
     {.label = "R", .does = "restart", .meaning = "restart the time; with Shift, also reset the camera",
      .binding = {{GLFW_KEY_R, .change = restart, .amount = false, .shifted = true}}},
@@ -252,6 +264,7 @@ static void press_key(struct window *window, const struct window_event *event)
 {
     if (ask_part(window, event))
         return;
+    window->panel.note = NULL;
     bool pad = event->amount >= GLFW_KEY_KP_0 && event->amount <= GLFW_KEY_KP_9;
     int key = pad ? event->amount - GLFW_KEY_KP_0 + GLFW_KEY_0 : event->amount;
     for (const struct key_row *row = window_keys; row->label != NULL; row++)
@@ -260,6 +273,7 @@ static void press_key(struct window *window, const struct window_event *event)
             if (at->key == 0 || index < 0 || index > at->count - (at->count > 0) ||
                 (event->repeated && !at->repeats))
                 continue;
+            window_explain_key(window, row->condition);
             if (at->act != NULL)
                 at->act(window);
             else
@@ -287,11 +301,14 @@ static void move(struct window *window, const double movement[3])
 
 static void act(struct window *window, struct window_event *event)
 {
+    if (window_contents_input(window, event))
+        return;
     if (event->kind == EVENT_KEY)
         press_key(window, event);
     else if (event->kind == EVENT_TYPED)
         window_field_type(window, event->amount);
     else if (!window_pointer_input(window, event)) {
+        window_explain_key(window, KEY_WITH_CAMERA);
         if (event->kind == EVENT_MOVE)
             move(window, event->movement);
         else

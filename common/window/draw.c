@@ -8,6 +8,7 @@
 #include "picture/probe.h"
 #include "platform.h"
 #include "report.h"
+#include "window/contents.h"
 #include "window/handle.h"
 #include "window/keys.h"
 #include "window/panel_input.h"
@@ -116,6 +117,7 @@ static void fill_overlay(struct window *window)
         .shown = inputs->shown,
         .probe = window->ray.why[0] == '\0' ? window->ray.probe : NULL,
         .why = window->ray.why,
+        .note = window->panel.note,
         .error = window->panel.error,
         .broken = window->broken,
         .unset = window->renderer->fragment.unset,
@@ -306,6 +308,13 @@ bool window_draw(struct window *window, double now)
     struct renderer_inputs *inputs = &window->inputs;
     const struct gl *gl = window->renderer->gl;
     bool draws = window->stale;
+    if (window->contents.open) {
+        if (!window_contents_draw(window))
+            return false;
+        glfwSwapBuffers(window->handle);
+        window->dirty = false;
+        return true;
+    }
     inputs->time_delta = inputs->frame > 0 && !window->paused ? now - window->pace.frame : 0.0;
     update_date(&window->inputs);
     if (draws && !draw_picture(window, now))

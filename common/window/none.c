@@ -22,9 +22,9 @@ void window_show(struct window *window, const struct window_start *start, bool a
     (void)at_last;
 }
 
-int window_asked(struct window *window, int *part)
+int window_asked(struct window *window, int *part, int *scene)
 {
-    *part = 0;
+    *part = *scene = 0;
     return window != NULL;
 }
 

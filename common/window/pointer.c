@@ -18,8 +18,7 @@
 #define DEGREES 0.15f // by which a movement of one window unit turns the camera
 #define REACH   6.0   // distance in units of the overlay within which a press grabs the divider
 
-// Set the event's position in pixels of the picture and in units of the overlay.
-static void locate(const struct window *window, struct window_event *event)
+void window_pointer_locate(const struct window *window, struct window_event *event)
 {
     const struct renderer_inputs *inputs = &window->inputs;
     float scale = window->panel.overlay.scale;
@@ -162,7 +161,7 @@ bool window_pointer_input(struct window *window, struct window_event *event)
         [OWNER_PICTURE] = picture_input};
     if (event->kind < EVENT_PRESS || event->kind == EVENT_MOVE)
         return false;
-    locate(window, event);
+    window_pointer_locate(window, event);
     if (event->kind == EVENT_WHEEL)
         return window_panel_wheel(window, event);
     if (event->kind == EVENT_LOOK) {

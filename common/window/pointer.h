@@ -4,6 +4,9 @@
 
 #include "window/state.h"
 
+// Set the event's position in pixels of the picture and in units of the overlay.
+void window_pointer_locate(const struct window *window, struct window_event *event);
+
 // Handle an event of the pointer. Returns false for any other event, and for the wheel outside
 // the panel.
 bool window_pointer_input(struct window *window, struct window_event *event);

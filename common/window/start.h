@@ -6,6 +6,15 @@
 
 #include "picture/loader.h"
 
+// The contents of a course: its scenes, each of which is a chapter.
+struct contents {
+    const struct contents_item {
+        const char *name, *shows; // its title, and a sentence about what its picture shows
+        char *picture;            // path of a PNG, which may be missing
+    } * item;
+    int count;
+};
+
 // The state in which a window opens. R returns to its time, and Shift+R to its camera too.
 struct window_start {
     const char *title;       // for the title bar and the panel
@@ -22,6 +31,8 @@ struct window_start {
     int shown; // number of steps of the middle ray to show, which selects the ray; 0 for no ray
     const char *selected; // "NAME=VALUE", the parameter that is selected; NULL for the first one
     const char *caption;  // caption of a lecture's scene for the speaker; NULL outside a lecture
+    const struct contents *contents; // of the course that has this scene; NULL outside a course
+    int scene;                       // its index there
 };
 
 #endif

@@ -12,6 +12,7 @@
 #include "window/watch.h"
 #include "window/input.h"
 #include "window/resolution.h"
+#include "window/contents.h"
 #include "window/start.h"
 
 #define WINDOW_KEYS 40 // maximum number of entries in the overlay's list of keys
@@ -113,6 +114,9 @@ struct window {
         bool helps;              // all keys and the ranges of all parameters are shown (key K)
         double figures[2];       // frames per second and milliseconds, as shown
         double figures_due;      // when the figures may change again
+        const char *note;        // why a key does nothing; NULL if no note is shown
+        double note_ends;        // when it disappears
+        unsigned told;           // the notes that have been shown: a bit for each key_condition
         char error[4096];        // the error that the panel shows; "" if there is none
         struct panel_key keys[WINDOW_KEYS];
         int key_count;
@@ -120,8 +124,9 @@ struct window {
                        // overlay
     } panel;
     struct {
-        int scenes, part; // scenes and part of a lecture, as window_asked returns them
+        int scenes, part, scene; // as window_asked returns them
     } asked;
+    struct window_contents contents;
     // The panel's input.
     struct {
         enum panel_grab what;

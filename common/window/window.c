@@ -13,6 +13,7 @@
 #include "window/draw.h"
 #include "window/full_screen.h"
 #include "window/handle.h"
+#include "window/keys.h"
 #include "window/lens.h"
 #include "picture/probe.h"
 #include "window/ray.h"
@@ -135,6 +136,10 @@ static bool turn(struct window *window)
         window->opening = 0;
     }
     window_act(window);
+    if (window->panel.note != NULL && now > window->panel.note_ends) {
+        window->panel.note = NULL;
+        window->dirty = true;
+    }
     window->stale |= window->moved;
     if (now >= window->pace.watch_due) {
         window->pace.watch_due = now + WATCH_SECONDS;
@@ -148,7 +153,8 @@ static bool turn(struct window *window)
         !window_place_handles(window))
         return false;
     comparison_follow(window->renderer);
-    bool drawing = visible && (window->dirty || window->stale || window_sharpens(window, now));
+    bool drawing = visible && (window->dirty || (!window->contents.open &&
+                                                 (window->stale || window_sharpens(window, now))));
     if (drawing && !window_draw(window, now))
         return false;
     window->pace.drew = drawing;
@@ -216,6 +222,7 @@ void window_show(struct window *window, const struct window_start *start, bool a
                   .captioned = true},
         .grab = {.hovered = -1, .at = {window->grab.at[0], window->grab.at[1]}},
         .shape = window->shape,
+        .contents = {.of = window->contents.of, .sheet = window->contents.sheet},
         .handles = {.focused = -1},
         .ray = {.probe = window->ray.probe},
         .stale = true,
@@ -261,11 +268,12 @@ struct window *window_open(struct context *context, const struct window_start *s
     return window;
 }
 
-int window_asked(struct window *window, int *part)
+int window_asked(struct window *window, int *part, int *scene)
 {
     int scenes = window->asked.scenes;
     *part = window->asked.part;
-    window->asked.scenes = window->asked.part = 0;
+    *scene = window->asked.scene;
+    window->asked.scenes = window->asked.part = window->asked.scene = 0;
     return scenes;
 }
 
@@ -285,9 +293,22 @@ void window_fill_screen(struct window *window)
     window_toggle_full_screen(window);
 }
 
+// Print the keys with which a newcomer begins.
+static void greet(struct window *window)
+{
+    bool course = window_has_contents(window);
+    printf("%s%sK: keys, Backspace: quit\n",
+           window_key_acts(window, KEY_WITH_CAMERA) ? "drag: look around, W A S D: move, " : "",
+           course                      ? "Page Down: next chapter, Home: all chapters, "
+           : window_has_scenes(window) ? "Page Down: next scene, "
+                                       : "");
+    fflush(stdout);
+}
+
 bool window_run(struct window *window, void (*turned)(void *to), void *to)
 {
     bool done = true;
+    greet(window);
     while (done && !glfwWindowShouldClose(window->handle)) {
         wait_for_turn(window);
         done = window_turn(window);
@@ -304,6 +325,7 @@ void window_close(struct window *window)
     watch_clear(&window->watch);
     if (window->renderer != NULL)
         window->renderer->overlay = NULL;
+    window_contents_close(window);
     overlay_close(&window->panel.overlay);
     panel_rows_free(&window->panel.rows);
     free(window->ray.probe);

@@ -23,10 +23,11 @@ struct window *window_open(struct context *context, const struct window_start *s
 //   at_last  if start selects a ray, show all its steps instead of the first start->shown
 void window_show(struct window *window, const struct window_start *start, bool at_last);
 
-// In a lecture, return 1 if the speaker has asked for the next scene since the last call, -1 for
-// the previous scene, or 0 for neither.
-//   part  receives the part of the lecture that was asked for, from 1; 0 if none was
-int window_asked(struct window *window, int *part);
+// In a lecture or a course, return 1 if the speaker has asked for the next scene since the last
+// call, -1 for the previous scene, or 0 for neither.
+//   part, scene  receive the part of the lecture and the scene of the course that were asked for,
+//                from 1; 0 if none was
+int window_asked(struct window *window, int *part, int *scene);
 
 // True if a short computation disturbs nobody, because the last iteration drew nothing, or because
 // a moving picture has been shown for two seconds.

@@ -151,14 +151,15 @@ void session_open_lecture(const char *list)
     for (; linked_chapters[count].stem != NULL; count++) {
         struct chapter chapter;
         assert_true(count < CHAPTERS && programs_find(linked_chapters[count].stem, &chapter));
-        chapters[count] =
-            (struct lecture_chapter){chapter.stem, chapter.title, chapter.camera, chapter.tool};
+        chapters[count] = (struct lecture_chapter){chapter.stem, chapter.title, chapter.shows,
+                                                   chapter.camera, chapter.tool};
     }
     listen();
-    if (lecture_read(&session.lecture, list, chapters, count) != RUN_DONE ||
-        lecture_open(session.lecture) != RUN_DONE)
-        give_up("%s: no lecture: %s", list, session_said(2));
-    assert_true(user.full);
+    int status = list != NULL ? lecture_read(&session.lecture, list, chapters, count)
+                              : lecture_course(&session.lecture, NULL, chapters, count);
+    if (status != RUN_DONE || lecture_open(session.lecture) != RUN_DONE)
+        give_up("%s: no lecture: %s", list != NULL ? list : "the course", session_said(2));
+    assert_true(user.full == (list != NULL));
     user_resize(320, 180); // fewer pixels, to save time
     session_turn();
     session_turn();

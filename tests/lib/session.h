@@ -26,7 +26,8 @@ void session_open_bare(const char *stem, const char *options, ...)
     __attribute__((format(printf, 2, 3)));
 
 // Open a lecture with all chapters, in a window of 320x180 units.
-//   list  the path of the list of scenes, which must stay valid until session_close
+//   list  the path of the list of scenes, which must stay valid until session_close; NULL for the
+//         course
 void session_open_lecture(const char *list);
 
 // The window of the program that is open.

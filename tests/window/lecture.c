@@ -388,4 +388,66 @@ SESSION_TEST(two_keys_are_enough_for_the_lecture)
     close_list();
 }
 
+// ---- The course ----
+
+static void open_course(const char *first)
+{
+    for (int i = 0; i < CHAPTERS; i++) {
+        chapters[i].stem = chapters[i].title = chapters[i].shows = stems[i];
+        assert_true(mirror_camera(gpu_project_root(), stems[i], &chapters[i].camera));
+    }
+    assert_int_equal(lecture_course(&lecture, first, chapters, CHAPTERS), RUN_DONE);
+    assert_int_equal(lecture_open(lecture), RUN_DONE);
+    assert_false(user.full);
+    user_resize(320, 180);
+    turns(2);
+}
+
+static void assert_chapter(const char *stem)
+{
+    session_assert_title(stem);
+}
+
+SESSION_TEST(the_course_goes_from_chapter_to_chapter)
+{
+    open_course("01");
+    assert_chapter("01_normal_colouring");
+    on();
+    turns(30);
+    assert_chapter("03_shadows");
+    back();
+    back();
+    turns(30);
+    assert_chapter("00_first_scene");
+    back(); // there is none before it
+    turns(30);
+    assert_chapter("00_first_scene");
+    close_list();
+}
+
+// The sheet of 7 pictures in a window of 320 x 180 has four columns.
+SESSION_TEST(the_sheet_of_contents_opens_a_chapter)
+{
+    open_course(NULL);
+    session_keep(0);
+    key(GLFW_KEY_HOME, 0);
+    assert_true(session_off(0, NULL) > 0.05);
+    key(GLFW_KEY_HOME, 0);
+    key(GLFW_KEY_HOME, 0);
+    for (int i = 0; i < 9; i++) // the frame stops at the last one
+        key(GLFW_KEY_RIGHT, 0);
+    key(GLFW_KEY_LEFT, 0);
+    key(GLFW_KEY_UP, 0);
+    key(GLFW_KEY_DOWN, 0);
+    key(GLFW_KEY_DOWN, 0); // there is no third row
+    key(GLFW_KEY_ENTER, 0);
+    turns(30);
+    assert_chapter("09_sky_and_sunset");
+    key(GLFW_KEY_HOME, 0);
+    user_click(20.0, 40.0, GLFW_MOUSE_BUTTON_LEFT); // the first picture of the first row
+    turns(30);
+    assert_chapter("00_first_scene");
+    close_list();
+}
+
 TESTS(NULL, NULL)

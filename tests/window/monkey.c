@@ -39,7 +39,8 @@ struct program {
     char name[64];
     char stem[64];     // the chapter
     char options[256]; // of the command line; %s is the path of a file in the scratch folder
-    const char *list;  // the scenes of a lecture, with the same %s; NULL if this is no lecture
+    const char *list; // the scenes of a lecture, with the same %s, or the path of a list, or "" for
+                      // the course; NULL for a chapter
 };
 
 static struct program programs[PROGRAMS];
@@ -98,6 +99,7 @@ static void list_programs(void)
         add_program(name, stem_of(file), options, NULL);
     }
     globfree(&found);
+    add_program("the course", stem_of("00"), "", "");
     add_program("the course's lecture", stem_of("00"), "", "docs/lecture.txt");
 }
 
@@ -144,6 +146,8 @@ static void open_program(void)
     if (the->list == NULL) {
         snprintf(line, sizeof line, the->options, path[0], path[1]);
         session_open(the->stem, "%s", line);
+    } else if (the->list[0] == '\0') {
+        session_open_lecture(NULL);
     } else if (strchr(the->list, '\n') == NULL) {
         session_open_lecture(the->list);
     } else {
@@ -170,6 +174,8 @@ static void calm(void)
         user_key(GLFW_KEY_M, 0);
     if (session_window()->input.typing)
         user_key(GLFW_KEY_ESCAPE, 0);
+    if (session_window()->contents.open)
+        user_key(GLFW_KEY_HOME, 0);
     turns(120);
     session_window()->paused = true;
     turns(30);
