@@ -17,11 +17,12 @@ static int print_shader(struct run *run)
     const struct options *options = &run->options;
     struct shader_source *source = &run->picture[0].source;
     char *text = NULL;
-    if (options->shadertoy && dialects.export_shadertoy == NULL)
-        report("--print-shader=shadertoy: this program was built without common/dialects/");
-    else if (options->shadertoy)
-        text = dialects.export_shadertoy(source, &run->picture[0].parameters, &options->camera,
-                                         RENDERER_FOCAL_LENGTH);
+    if ((options->shadertoy || options->page) && dialects.export_shadertoy == NULL)
+        report("--print-shader=%s: this program was built without common/dialects/",
+               options->page ? "page" : "shadertoy");
+    else if (options->shadertoy || options->page)
+        text = (options->page ? dialects.export_page : dialects.export_shadertoy)(
+            source, &run->picture[0].parameters, &options->camera, RENDERER_FOCAL_LENGTH);
     else if (shader_has_view(source, options->view))
         text = shader_text(source, options->view);
     if (text == NULL)

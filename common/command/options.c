@@ -195,10 +195,11 @@ static bool complete(struct options *options)
                "with --step walk");
     else if (film && fabs(options->time) + options->frames / options->fps > OPTIONS_LIMIT)
         report("--frames: the last time must be between -1e9 and 1e9 seconds");
-    else if (options->shadertoy && options->view != VIEW_PICTURE)
-        report("--print-shader=shadertoy: cannot be combined with --view %s: only the picture view "
-               "runs on Shadertoy",
-               shader_view_name(options->view));
+    else if ((options->shadertoy || options->page) && options->view != VIEW_PICTURE)
+        report("--print-shader=%s: cannot be combined with --view %s: only the picture view runs "
+               "%s",
+               options->page ? "page" : "shadertoy", shader_view_name(options->view),
+               options->page ? "in a page" : "on Shadertoy");
     else
         return check_probes(options) && check_ray(options);
     return false;

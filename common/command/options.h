@@ -28,6 +28,7 @@ struct options {
     enum options_action action;
     bool window;    // the run needs a window, because there is no --output, --probe or --benchmark
     bool shadertoy; // --print-shader=shadertoy
+    bool page;      // --print-shader=page
     bool compares;  // there is a second picture
     bool walk;      // --step walk: the pictures of --frames step along the ray
     bool has_from, has_divider, has_camera, has_overlay, has_time;

@@ -271,9 +271,10 @@ static bool set_root(struct options *options, const char *text)
 
 static bool set_print_shader(struct options *options, const char *text)
 {
-    options->shadertoy = text != NULL;
-    return text == NULL || strcmp(text, "shadertoy") == 0 ||
-           refuse("print-shader", text, "must be shadertoy, or be omitted");
+    options->shadertoy = text != NULL && strcmp(text, "shadertoy") == 0;
+    options->page = text != NULL && strcmp(text, "page") == 0;
+    return text == NULL || options->shadertoy || options->page ||
+           refuse("print-shader", text, "must be shadertoy or page, or be omitted");
 }
 
 #define VIEW_WORD(id, kind, key, name) " " name
@@ -317,8 +318,8 @@ const struct options_row options_rows[] = {
     {"", "frames", " N|K-L", set_frames, OPTIONS_RUN,
      "write N pictures from --time on, or K to L: -o frame-%04d.png", ""},
     {"", "fps", " F", set_fps, OPTIONS_RUN, "pictures per second of --frames", "25"},
-    {"", "print-shader", "[=shadertoy]", set_print_shader, OPTIONS_PRINT_SHADER,
-     "print the shader as one file, or as one for Shadertoy", ""},
+    {"", "print-shader", "[=FOR]", set_print_shader, OPTIONS_PRINT_SHADER,
+     "print the shader as one file; shadertoy, page: to use it there", ""},
     {"", "benchmark", " N|json", set_benchmark, OPTIONS_RUN,
      "measure compilation, N frames and evaluations; json: print JSON", "20 frames with json"},
     {"", "list", "", NULL, OPTIONS_LIST, "list the parameters: name, value, range, unit, meaning",

@@ -194,4 +194,5 @@ const struct dialects dialects = {.unpack = passes_unpack,
                                   .explain = explain,
                                   .with_floats = translate_floats,
                                   .accept = accept,
-                                  .export_shadertoy = export_shadertoy};
+                                  .export_shadertoy = export_shadertoy,
+                                  .export_page = export_page};

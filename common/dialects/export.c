@@ -22,6 +22,7 @@ struct export
     float focal_length;
     const struct glsl *code; // the source's tokens
     bool writes;             // the file is a figure, which may write numbers
+    bool page;               // parameters and textures remain uniforms, which a page sets
     FILE *text;
 };
 
@@ -148,7 +149,7 @@ static bool put_uniform(struct export *e, const struct glsl_token *uniform)
     bool vector = course && input->meaning >= INPUT_EYE && input->meaning <= INPUT_FORWARD;
     if ((course && tool_inputs_is_shadertoy(input)) || (draw && mentions(e, name->text) == 1))
         return true;
-    if (parameter == NULL && !vector && !draw)
+    if ((parameter == NULL && !vector && !draw) || (parameter != NULL && e->page))
         return false;
     while (end->kind != GLSL_END && end->sign != ';')
         end++;
@@ -216,22 +217,27 @@ static void put_views(struct export *e)
 static void put_course(struct export *e)
 {
     put_name(e, "// ");
-    fprintf(e->text,
-            " for shadertoy.com, in one file: the camera and the parameters are constants.\n");
+    fprintf(
+        e->text,
+        e->page
+            ? " for a page, in one file: the camera is constant.\n"
+            : " for shadertoy.com, in one file: the camera and the parameters are constants.\n");
     put_views(e);
     if (mentions(e, "EXPORTED") > 0)
         fprintf(e->text, "#define EXPORTED\n");
-    if (mentions(e, "SHADERTOY") > 0)
+    if (!e->page && mentions(e, "SHADERTOY") > 0)
         fprintf(e->text, "#define SHADERTOY\n");
     put_files(e);
-    fprintf(e->text, "\n// ---- The function that Shadertoy calls ----\n\n"
-                     "void mainImage(out vec4 fragColor, in vec2 fragCoord)\n"
-                     "{\n"
-                     "    traceReset(-1);\n"
-                     "    iPixel = ivec2(floor(fragCoord));\n"
-                     "    vec3 colour = rayColour(pixelRay(screenPosition(fragCoord)));\n"
-                     "    fragColor = vec4(clamp(colour, 0.0, 1.0), 1.0);\n"
-                     "}\n");
+    fprintf(e->text,
+            "\n// ---- The function that %s calls ----\n\n"
+            "void mainImage(out vec4 fragColor, in vec2 fragCoord)\n"
+            "{\n"
+            "    traceReset(-1);\n"
+            "    iPixel = ivec2(floor(fragCoord));\n"
+            "    vec3 colour = rayColour(pixelRay(screenPosition(fragCoord)));\n"
+            "    fragColor = vec4(clamp(colour, 0.0, 1.0), 1.0);\n"
+            "}\n",
+            e->page ? "the page" : "Shadertoy");
 }
 
 // ---- Other dialects ----
@@ -304,19 +310,27 @@ static const char *picture_of(const void *pictures, int i)
     return p->source->files[p->samplers->item[i].file];
 }
 
-char *export_shadertoy(struct shader_source *source, const struct parameters *parameters,
-                       const struct camera *camera, float focal_length)
+// Prepare an export.
+static struct export begin(struct shader_source *source, const struct parameters *parameters,
+                           const struct camera *camera, float focal_length, bool page)
 {
     bool figure = false;
     for (int i = 0; i < source->file_count; i++)
         figure |= strcmp(source->files[i], "shaders/figure.glsl") == 0;
-    struct export e = {.source = source,
-                       .parameters = parameters,
-                       .basis = camera_basis_of(camera),
-                       .camera = camera,
-                       .focal_length = focal_length,
-                       .code = &source->code,
-                       .writes = figure};
+    return (struct export){.source = source,
+                           .parameters = parameters,
+                           .basis = camera_basis_of(camera),
+                           .camera = camera,
+                           .focal_length = focal_length,
+                           .code = &source->code,
+                           .writes = figure,
+                           .page = page};
+}
+
+char *export_shadertoy(struct shader_source *source, const struct parameters *parameters,
+                       const struct camera *camera, float focal_length)
+{
+    struct export e = begin(source, parameters, camera, focal_length, false);
     char *text;
     bool done = true;
     if (source->dialect == DIALECT_COURSE && parameters->samplers.count > 0) {
@@ -338,4 +352,21 @@ char *export_shadertoy(struct shader_source *source, const struct parameters *pa
         return text;
     free(text);
     return NULL;
+}
+
+char *export_page(struct shader_source *source, const struct parameters *parameters,
+                  const struct camera *camera, float focal_length)
+{
+    struct export e = begin(source, parameters, camera, focal_length, true);
+    char *text;
+    if (source->dialect != DIALECT_COURSE) {
+        report("%s: --print-shader=page prints shaders of the course only: use "
+               "--print-shader=shadertoy",
+               source->files[0]);
+        return NULL;
+    }
+    e.text = memory_open(&text);
+    put_course(&e);
+    memory_close(e.text);
+    return text;
 }

@@ -1,4 +1,4 @@
-// export.h - the export of a shader as one file that runs on Shadertoy.
+// export.h - the export of a shader as one file that runs on Shadertoy or in a page.
 #ifndef DIALECTS_EXPORT_H
 #define DIALECTS_EXPORT_H
 
@@ -9,5 +9,9 @@
 // The member export_shadertoy of struct dialects.
 char *export_shadertoy(struct shader_source *source, const struct parameters *parameters,
                        const struct camera *camera, float focal_length);
+
+// The member export_page of struct dialects.
+char *export_page(struct shader_source *source, const struct parameters *parameters,
+                  const struct camera *camera, float focal_length);
 
 #endif

@@ -60,6 +60,13 @@ struct dialects {
     // reporting the error.
     char *(*export_shadertoy)(struct shader_source *source, const struct parameters *parameters,
                               const struct camera *camera, float focal_length);
+
+    // Write a course shader for a page that calls its mainImage. Unlike on Shadertoy, the
+    // parameters and the textures remain uniforms, with the comments that describe them, and the
+    // page provides the digits of shaders/signs.glsl. Only the camera is constant. Returns memory
+    // that the caller frees, or NULL after reporting that the shader is in another dialect.
+    char *(*export_page)(struct shader_source *source, const struct parameters *parameters,
+                         const struct camera *camera, float focal_length);
 };
 
 // Defined in common/dialects/dialects.c.

@@ -48,6 +48,13 @@ exported() { # NAME PROGRAM OPTION...
     passes "$@" && check "the export of $1 looks the same" same "${@:2}"
 }
 
+# fits_a_page PROGRAM OPTION...: true if the file for a page is valid, and its parameters are the shader's.
+fits_a_page() {
+    "$@" --print-shader=page >"$scratch/page.frag" && valid "$scratch/page.frag" && "$@" --list | sed '1d; /^$/,$d' | while read -r name _; do
+        grep -q "^uniform *[a-z0-9]* *$name;" "$scratch/page.frag" || { echo "# $name is no uniform"; exit 1; }
+    done
+}
+
 # An exported file has no coarse pass, and a picture that shows steps would reveal this. The chapter is therefore
 # rendered without the coarse pass too.
 for program in "$BUILD"/[0-9][0-9]_*; do
@@ -79,6 +86,7 @@ done
 # Shadertoy's digits are not those of the font, so figures that write numbers are validated, and the others rendered too.
 for file in chapters/figures/*.frag; do
     case ${SYSTEM-}$file in Windows*/03_*) ;; Windows*) continue ;; esac
+    check "the export of ${file#chapters/} for a page is valid" fits_a_page "$BUILD/01_normal_colouring" -f "$file"
     if grep -q 'number(' "$file"; then
         passes "${file#chapters/}" "$BUILD/01_normal_colouring" -f "$file"
     else

@@ -107,6 +107,8 @@ TEST(help_has_priority_and_otherwise_the_last_action_counts)
         enum options_action action;
     } actions[] = {{"--print-shader", OPTIONS_PRINT_SHADER},
                    {"--print-shader=shadertoy", OPTIONS_PRINT_SHADER},
+                   {"--print-shader=page", OPTIONS_PRINT_SHADER},
+                   {"--print-shader=page --print-shader=shadertoy", OPTIONS_PRINT_SHADER},
                    {"--list", OPTIONS_LIST},
                    {"-h", OPTIONS_HELP},
                    {"--help", OPTIONS_HELP},
@@ -117,7 +119,9 @@ TEST(help_has_priority_and_otherwise_the_last_action_counts)
                    {"--list -V", OPTIONS_VERSION}};
     for (size_t i = 0; i < sizeof actions / sizeof *actions; i++) {
         const bool toy = strstr(actions[i].line, "shadertoy") != NULL;
-        ACCEPTED(actions[i].line, o.action == actions[i].action && o.shadertoy == toy);
+        const bool page = !toy && strstr(actions[i].line, "page") != NULL;
+        ACCEPTED(actions[i].line,
+                 o.action == actions[i].action && o.shadertoy == toy && o.page == page);
     }
 }
 
@@ -301,6 +305,7 @@ static const char *const mistakes[][2] = {
     {"--benchmark 3 -o a.png", "cannot be combined with --output"},
     {"--benchmark 3 --probe 1,1", "cannot be combined with --probe"},
     {"--print-shader=shadertoy -v steps", "only the picture view runs on Shadertoy"},
+    {"--print-shader=page -v steps", "only the picture view runs in a page"},
     {"--compare a.frag --benchmark 3", "cannot be combined with --benchmark"},
     {"--compare a.frag --print-shader", "cannot be combined with --print-shader"},
     // Comparisons that are incomplete or malformed.
@@ -331,8 +336,8 @@ static const char *const mistakes[][2] = {
     {"-c", "--camera: a value is missing"},
     {"--list=3", "--list: takes no value"},
     {"--help=3", "--help: takes no value"},
-    {"--print-shader=x", "--print-shader 'x': must be shadertoy"},
-    {"--print-shader=", "must be shadertoy"},
+    {"--print-shader=x", "--print-shader 'x': must be shadertoy or page"},
+    {"--print-shader=", "must be shadertoy or page"},
     {"--print-shader shadertoy", "unexpected argument 'shadertoy'"},
     {"--list foo -V", "unexpected argument 'foo'"},
     {"-- -o", "unexpected argument '-o'"},
