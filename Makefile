@@ -381,7 +381,7 @@ book: ## typeset all pages as one PDF, build/book.pdf (installs pandoc and XeLaT
 	@.make/setup.sh book
 	@.make/book.sh
 
-site: web build/node/package-lock.json $(if $(STUDENT),student) ## build a website from all pages, with the programs running in them: build/site/ and build/site.zip; with STUDENT=1, the website for students in build/student/
+site: ready web build/node/package-lock.json $(if $(STUDENT),student) ## build a website from all pages, with the programs running in them: build/site/ and build/site.zip; with STUDENT=1, the website for students in build/student/
 	@$(if $(STUDENT),.make/student_site.sh,.make/site.sh)
 
 serve: site ## serve that website on this machine only, at http://127.0.0.1:8000/; choose another port with PORT=8001

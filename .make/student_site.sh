@@ -4,6 +4,8 @@
 set -eu
 . .make/write.sh
 course=build/student/ray-marching
+PROGRAM_FOLDER=$PWD/build
+export PROGRAM_FOLDER
 mkdir -p "$course/build/web/objects"
 for file in harness.js harness.wasm; do write "$course/build/web/objects/$file" cat "build/web/objects/$file"; done
 ln -sfn ../../../node "$course/build/node"

@@ -20,6 +20,11 @@ const vec3 PAPER = vec3(1.000, 0.984, 0.949), INK = vec3(0.051, 0.078, 0.200), P
 const vec3 ORANGE = vec3(0.851, 0.451, 0.102), SAND = vec3(0.988, 0.882, 0.722);
 const vec3 BLUE = vec3(0.184, 0.435, 0.753), SKY = vec3(0.812, 0.878, 0.961), TEAL = vec3(0.043, 0.498, 0.451);
 
+// A page may draw on dark paper, with other pens. These three are the same there, for what is dark or bright by itself;
+// SHADE, for a shadow on the paper, is darker than either paper.
+const vec3 NIGHT = vec3(0.051, 0.078, 0.200), CHALK = vec3(1.000, 0.984, 0.949), GLOW = vec3(0.988, 0.882, 0.722);
+const vec3 SHADE = vec3(0.604, 0.627, 0.710);
+
 vec3 sheetColour = PAPER; // what has been drawn so far
 
 // The sheet is seen straight from above, wherever the camera is.
@@ -124,6 +129,10 @@ void curve(float above, float slope, float width, vec3 colour)
 }
 
 // Draw a number, centred at a point.
+//
+// In a page, the comment after a call is the number's label, in which # is the number and (s) is left out after 1:
+// number(p, at, float(steps), 0, INK); // # step(s). Another label may follow, which a screen reader reads instead:
+// // # | distance #. Such a call must not depend on p.
 void number(vec2 p, vec2 at, float value, int decimals, vec3 colour)
 {
     int scaled = int(floor(value * pow(10.0, float(decimals)) + 0.5)), cell = signCell();

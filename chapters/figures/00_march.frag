@@ -24,6 +24,6 @@ vec3 rayColour(Ray ray)
     fill(d, SAND, 1.0);
     stroke(d, 2.0, ORANGE);
     dot2(p, eye, 8.0, INK);
-    number(p, vec2(-1.6, 0.85), float(steps), 0, INK);
+    number(p, vec2(-1.6, 0.85), float(steps), 0, INK); // # evaluation(s)
     return sheetColour;
 }

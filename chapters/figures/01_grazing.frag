@@ -24,7 +24,7 @@ vec3 rayColour(Ray ray)
     stroke(d, 2.0, ORANGE);
     dot2(p, eye, 7.0, INK);
     dot2(p, aim, 6.0, TEAL);
-    number(p, vec2(-1.6, 0.85), float(steps), 0, INK);
-    number(p, vec2(1.55, 0.85), 1.0 - clamp(-direction.y, 0.0, 1.0), 2, TEAL);
+    number(p, vec2(-1.6, 0.85), float(steps), 0, INK); // # step(s)
+    number(p, vec2(1.55, 0.85), 1.0 - clamp(-direction.y, 0.0, 1.0), 2, TEAL); // # remains
     return sheetColour;
 }

@@ -20,6 +20,6 @@ vec3 rayColour(Ray ray)
     int steps = drawMarch(p, eye, direction, 6.0, 0.002, 64, t);
     fill(d, SAND, 1.0);
     stroke(d, 2.0, ORANGE);
-    number(p, vec2(-1.6, 0.85), float(steps), 0, INK);
+    number(p, vec2(-1.6, 0.85), float(steps), 0, INK); // # step(s)
     return sheetColour;
 }

@@ -30,6 +30,6 @@ vec3 rayColour(Ray ray)
     dashes(p, at.xy, at.xy + 0.62 * right.xy, 1.5, INK);
     arrow(p, at.xy, at.xy + 0.5 * found.xy, 2.5, TEAL);
     dot2(p, at.xy, 6.0, INK);
-    number(p, vec2(-1.55, 0.85), degrees(angleBetween(right.xy, found.xy)), 1, TEAL);
+    number(p, vec2(-1.55, 0.85), degrees(angleBetween(right.xy, found.xy)), 1, TEAL); // off by #°
     return sheetColour;
 }

@@ -25,6 +25,6 @@ vec3 rayColour(Ray ray)
     line2(p, point, nearest, 2.0, TEAL);
     dot2(p, nearest, 6.0, TEAL);
     dot2(p, point, 7.0, INK);
-    number(p, point + vec2(0.0, 0.09), f, 2, INK);
+    number(p, point + vec2(0.0, 0.09), f, 2, INK); // distance #
     return sheetColour;
 }

@@ -46,8 +46,8 @@ vec3 rayColour(Ray ray)
     dot2(p, onB, 8.0, INK);
     dot2(p, above, 8.0, TEAL);
     dot2(p, below, 8.0, ORANGE);
-    number(p, above + vec2(-0.16, 0.05), right, 3, TEAL);
-    number(p, below + vec2(0.18, -0.05), wrong, 3, ORANGE);
+    number(p, above + vec2(-0.16, 0.05), right, 3, TEAL); // # | encoded mean #
+    number(p, below + vec2(0.18, -0.05), wrong, 3, ORANGE); // # | mean of the codes #
     grey(p, 0.5, right);
     grey(p, 0.0, encoded(((iPixel.y / 3) & 1) == 0 ? a : b));
     grey(p, -0.5, wrong);

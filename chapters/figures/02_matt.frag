@@ -32,8 +32,8 @@ vec3 rayColour(Ray ray)
     line2(p, left, right, 6.0, INK);
     line2(p, left, right, 3.0, SAND);
     dot2(p, eye, 10.0, INK);
-    number(p, CENTRE + 0.6 * LOBE * flux * away - 0.14 * beside, flux, 2, ORANGE);
-    number(p, bar + (HALF * seen + 0.16) * beside, seen, 2, BLUE);
-    number(p, vec2(-1.5, 0.8), seen > 0.0 ? flux / seen : 0.0, 2, TEAL);
+    number(p, CENTRE + 0.6 * LOBE * flux * away - 0.14 * beside, flux, 2, ORANGE); // # | flux #
+    number(p, bar + (HALF * seen + 0.16) * beside, seen, 2, BLUE); // # | apparent width #
+    number(p, vec2(-1.5, 0.8), seen > 0.0 ? flux / seen : 0.0, 2, TEAL); // radiance #
     return sheetColour;
 }

@@ -32,8 +32,8 @@ vec3 rayColour(Ray ray)
     float disc = sdCircle(p - vec2(1.15, -0.1), 0.36);
     fill(disc, encodeSRGB(cosine * vec3(1.0, 0.93, 0.8)), 1.0);
     stroke(disc, 1.5, INK);
-    number(p, vec2(1.15, 0.72), caught, 0, ORANGE);
-    number(p, vec2(1.15, 0.5), cosine, 2, TEAL);
+    number(p, vec2(1.15, 0.72), caught, 0, ORANGE); // # ray(s)
+    number(p, vec2(1.15, 0.5), cosine, 2, TEAL); // N · L = #
     return sheetColour;
 }
 

@@ -38,13 +38,13 @@ vec3 rayColour(Ray ray)
         float solid = sdCircle(p - ball, 0.17);
         fill(solid, SAND, 1.0);
         stroke(solid, 2.0, ORANGE);
-        fill(p.y - FLOOR, found.y > 0.5 ? (start < 1.0 ? INK : SAND) : PAPER, 1.0);
+        fill(p.y - FLOOR, found.y > 0.5 ? (start < 1.0 ? NIGHT : SAND) : PAPER, 1.0);
         line2(p, vec2(-1.9, FLOOR), vec2(1.9, FLOOR), 2.0, ORANGE);
         dot2(p, eye, 10.0, INK);
     } else {
         fill(max(y - ONE, -y), SAND, 1.0);
         if (found.y > 0.5)
-            fill(max(y - ONE * start, -y), start < 1.0 ? INK : SKY, 1.0);
+            fill(max(y - ONE * start, -y), start < 1.0 ? NIGHT : SKY, 1.0);
         float envelope = 1.0 - steepness + shadowOffset;
         if (mod(p.x, 0.08) < 0.05)
             fill(abs(y - ONE * envelope) - penWidth(0.8), BLUE, 1.0);

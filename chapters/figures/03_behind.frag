@@ -36,10 +36,10 @@ vec3 rayColour(Ray ray)
     line2(p, second.origin.xy, second.origin.xy + min(t, far) * second.direction.xy, 2.5, lit ? TEAL : ORANGE);
     fill(d, SAND, 1.0);
     if (dark)
-        fill(max(p.y - FLOOR, FLOOR - 0.1 - p.y), INK, 0.75);
+        fill(max(p.y - FLOOR, FLOOR - 0.1 - p.y), NIGHT, 0.75);
     stroke(d, 2.0, ORANGE);
     dot2(p, vec2(point.x, FLOOR), 9.0, INK);
     dot2(p, lamp, 16.0, ORANGE);
-    dot2(p, lamp, 9.0, PAPER);
+    dot2(p, lamp, 9.0, CHALK);
     return sheetColour;
 }

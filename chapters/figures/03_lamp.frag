@@ -39,7 +39,7 @@ vec3 rayColour(Ray ray)
     int steps = drawMarch(p, second.origin.xy, second.direction.xy, far, THRESHOLD, 80, t);
     fill(d, SAND, 1.0);
     if (dark)
-        fill(max(p.y - GROUND, GROUND - 0.1 - p.y), INK, 0.75);
+        fill(max(p.y - GROUND, GROUND - 0.1 - p.y), NIGHT, 0.75);
     stroke(d, 2.0, ORANGE);
     bool lit = far > 0.0 && t >= far;
     if (far > 0.0)
@@ -48,6 +48,6 @@ vec3 rayColour(Ray ray)
     dot2(p, EYE, 10.0, INK);
     dot2(p, lamp, 16.0, ORANGE);
     dot2(p, lamp, 9.0, SAND);
-    number(p, vec2(-1.6, 0.85), far > 0.0 ? float(steps) : 0.0, 0, lit ? TEAL : ORANGE);
+    number(p, vec2(-1.6, 0.85), far > 0.0 ? float(steps) : 0.0, 0, lit ? TEAL : ORANGE); // # step(s) to the lamp
     return sheetColour;
 }

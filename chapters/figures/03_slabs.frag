@@ -49,8 +49,8 @@ vec3 rayColour(Ray ray)
     bar(p, -0.8, both, TEAL);
     line2(p, vec2(-1.3, -0.45), vec2(-1.3, -0.88), 1.2, INK);
     if (both.y > both.x) {
-        number(p, vec2(-1.3 + 1.5 * UNIT * min(both.x, 7.0), -0.93), both.x, 2, TEAL);
-        number(p, vec2(-1.3 + 1.5 * UNIT * min(both.y, 7.0), -0.93), both.y, 2, TEAL);
+        number(p, vec2(-1.3 + 1.5 * UNIT * min(both.x, 7.0), -0.93), both.x, 2, TEAL); // # | entry at t = #
+        number(p, vec2(-1.3 + 1.5 * UNIT * min(both.y, 7.0), -0.93), both.y, 2, TEAL); // # | exit at t = #
     }
     return sheetColour;
 }

@@ -30,6 +30,6 @@ vec3 rayColour(Ray ray)
     stroke(d, 3.0, ORANGE);
     stroke(length(p - point) - abs(empty), 1.5, BLUE);
     dot2(p, point, 7.0, INK);
-    number(p, vec2(-1.6, 0.88), empty, 2, BLUE);
+    number(p, vec2(-1.6, 0.88), empty, 2, BLUE); // formula #
     return sheetColour;
 }

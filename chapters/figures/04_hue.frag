@@ -29,6 +29,7 @@ float hueAt(vec2 q)
 void plot(vec2 p, int channel, float low, float hue, float saturation)
 {
     vec3 ink = vec3(0.12) + 0.58 * vec3(channel == 0, channel == 1, channel == 2);
+    ink += 0.3 * step(PAPER.r, 0.5); // lighter on dark paper
     float here = (p.x - LEFT) / WIDTH * 360.0;
     float y = low + HIGH * hsvToRGB(here, saturation, value)[channel];
     float later = low + HIGH * hsvToRGB(here + 1.0, saturation, value)[channel];
@@ -42,7 +43,7 @@ void plot(vec2 p, int channel, float low, float hue, float saturation)
     vec2 at = vec2(LEFT + hue / 360.0 * WIDTH, low + HIGH * hsvToRGB(hue, saturation, value)[channel]);
     line2(p, vec2(at.x, low), at, 1.5, INK);
     dot2(p, at, 7.0, ink);
-    number(p, vec2(1.63, low + 0.5 * HIGH), (at.y - low) / HIGH, 2, ink);
+    number(p, vec2(1.63, low + 0.5 * HIGH), (at.y - low) / HIGH, 2, ink); // # | channel #
 }
 
 vec3 rayColour(Ray ray)

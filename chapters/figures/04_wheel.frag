@@ -63,7 +63,7 @@ vec3 rayColour(Ray ray)
     arrow(q * SCALE, step2 * SCALE, step3 * SCALE, 2.0, INK);
     dot2(p, point, 8.0, INK);
     dot2(q * SCALE, step3 * SCALE, 7.0, TEAL);
-    number(p, vec2(-1.55, 0.85), all, 3, BLUE);
-    number(p, vec2(-1.55, 0.74), two, 3, TEAL);
+    number(p, vec2(-1.55, 0.85), all, 3, BLUE); // of twelve solids #
+    number(p, vec2(-1.55, 0.74), two, 3, TEAL); // of two solids #
     return sheetColour;
 }

@@ -27,7 +27,7 @@ vec3 rayColour(Ray ray)
     stroke(length(p - point) - formula, 1.5, BLUE);
     stroke(length(p - point) - formula / bendStretch(rate, RADIUS), 1.5, TEAL);
     dot2(p, point, 8.0, INK);
-    number(p, vec2(-1.6, 0.88), formula, 2, BLUE);
-    number(p, vec2(-1.6, 0.77), formula / bendStretch(rate, RADIUS), 2, TEAL);
+    number(p, vec2(-1.6, 0.88), formula, 2, BLUE); // formula #
+    number(p, vec2(-1.6, 0.77), formula / bendStretch(rate, RADIUS), 2, TEAL); // divided #
     return sheetColour;
 }

@@ -55,6 +55,6 @@ vec3 rayColour(Ray ray)
         half2(p, RIGHT, SCALE * d, RIGHT + SCALE * q, SCALE * empty);
     }
     line2(p, vec2(0.0, -1.0), vec2(0.0, 1.0), 1.0, PALE);
-    number(p, vec2(-1.6, 0.88), empty, 2, BLUE);
+    number(p, vec2(-1.6, 0.88), empty, 2, BLUE); // formula at q #
     return sheetColour;
 }

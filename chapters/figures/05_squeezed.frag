@@ -30,6 +30,6 @@ vec3 rayColour(Ray ray)
     line2(p, eye, eye + t * direction, 2.0, INK);
     dot2(p, eye, 7.0, INK);
     dot2(p, eye + t * direction, 7.0, INK);
-    number(p, vec2(-1.6, 0.88), float(steps), 0, INK);
+    number(p, vec2(-1.6, 0.88), float(steps), 0, INK); // # step(s)
     return sheetColour;
 }

@@ -42,6 +42,6 @@ vec3 rayColour(Ray ray)
     line2(p, -UNIT * longest, UNIT * longest, 2.5, TEAL);
     arrow(p, vec2(0.0), imageX, 2.0, INK);
     arrow(p, vec2(0.0), imageY, 2.0, INK);
-    number(p, UNIT * longest + 0.13 * normalize(longest + 1e-6), sigma, 3, TEAL);
+    number(p, UNIT * longest + 0.13 * normalize(longest + 1e-6), sigma, 3, TEAL); // # | largest stretch #
     return sheetColour;
 }

@@ -35,6 +35,6 @@ vec3 rayColour(Ray ray)
     stroke(length(p - point) - abs(exact), 1.5, TEAL);
     stroke(length(p - point) - abs(planes), 1.5, BLUE);
     dot2(p, point, 8.0, INK);
-    number(p, vec2(-1.6, 0.88), planes / (abs(exact) > 1e-4 ? exact : 1e-4), 3, INK);
+    number(p, vec2(-1.6, 0.88), planes / (abs(exact) > 1e-4 ? exact : 1e-4), 3, INK); // ratio #
     return sheetColour;
 }

@@ -62,6 +62,6 @@ vec3 rayColour(Ray ray)
     stroke(SCALE * (length(p - q.xy) - abs(empty)), 1.5, TEAL);
     dot2(SCALE * p, SCALE * q.xy, 7.0, TEAL);
     dot2(SCALE * p, SCALE * at, 8.0, INK);
-    number(sheetPoint(ray), vec2(-1.6, 0.88), empty, 3, BLUE);
+    number(sheetPoint(ray), vec2(-1.6, 0.88), empty, 3, BLUE); // distance #
     return sheetColour;
 }

@@ -44,7 +44,7 @@ vec3 rayColour(Ray ray)
     arrow(p, point, inCell * SCALE, 1.5, INK);
     dot2(p, inCell * SCALE, 7.0, BLUE);
     dot2(p, point, 8.0, INK);
-    number(p, vec2(-1.6, 0.88), own, 2, BLUE);
-    number(p, vec2(-1.6, 0.77), nearest, 2, TEAL);
+    number(p, vec2(-1.6, 0.88), own, 2, BLUE); // own cell #
+    number(p, vec2(-1.6, 0.77), nearest, 2, TEAL); // with the neighbour #
     return sheetColour;
 }

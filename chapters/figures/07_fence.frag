@@ -43,6 +43,6 @@ vec3 rayColour(Ray ray)
     stroke(fence, 2.5, ORANGE);
     dashes(p, vec2(wall, -1.0), vec2(wall, 1.0), 1.0, INK);
     dot2(p, eye, 7.0, INK);
-    number(p, vec2(-1.6, 0.88), float(steps), 0, INK);
+    number(p, vec2(-1.6, 0.88), float(steps), 0, INK); // # step(s)
     return sheetColour;
 }

@@ -43,7 +43,7 @@ void plate(vec2 p, vec2 centre, float at, vec3 colour)
     line2(p, point - vec2(0.0, PLATE), point + vec2(0.0, PLATE), 6.0, colour);
     float low = clamp(size * (point.y - PLATE), -HALF, HALF), high = clamp(size * (point.y + PLATE), -HALF, HALF);
     line2(p, vec2(at, low), vec2(at, high), 9.0, colour);
-    number(p, vec2(at, -0.66), size, 2, colour);
+    number(p, vec2(at, -0.66), size, 2, colour); // # | relative size #
 }
 
 vec3 rayColour(Ray ray)

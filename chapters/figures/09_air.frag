@@ -44,8 +44,8 @@ vec3 rayColour(Ray ray)
         dot2(p, EYE + mark * to, 6.0, TEAL);
     dot2(p, EYE + AIR * even * to, 8.0, ORANGE);
     dot2(p, EYE + AIR * mass * to, 8.0, TEAL);
-    number(p, EYE + AIR * mass * to + 0.12 * vec2(-to.y, to.x), mass, 2, TEAL);
-    number(p, EYE + AIR * even * to + 0.12 * vec2(to.y, -to.x), even, 2, ORANGE);
+    number(p, EYE + AIR * mass * to + 0.12 * vec2(-to.y, to.x), mass, 2, TEAL); // # | air mass #
+    number(p, EYE + AIR * even * to + 0.12 * vec2(to.y, -to.x), even, 2, ORANGE); // # | flat layers #
     vec2 disc = EYE + end * to;
     fill(length(p - disc) - 0.08, left, 1.0);
     stroke(length(p - disc) - 0.08, 2.0, INK);

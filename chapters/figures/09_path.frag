@@ -54,9 +54,9 @@ vec3 rayColour(Ray ray)
     float mass = airMass(sunAt(x).y);
     fill(length(p - vec2(x, y)) - 0.075, encodeSRGB(1.1 * transmittance(RAYLEIGH, mass)), y > HORIZON ? 1.0 : 0.3);
     stroke(length(p - vec2(x, y)) - 0.075, 2.0, INK);
-    number(p, vec2(-0.32, -0.5), 12.0 + x / HOUR, 2, INK);
-    number(p, vec2(0.0, -0.5), (y - HORIZON) / DEGREE, 1, ORANGE);
+    number(p, vec2(-0.32, -0.5), 12.0 + x / HOUR, 2, INK); // # | hour #
+    number(p, vec2(0.0, -0.5), (y - HORIZON) / DEGREE, 1, ORANGE); // # | elevation # degrees
     if (y > HORIZON)
-        number(p, vec2(0.32, -0.5), mass, 2, TEAL);
+        number(p, vec2(0.32, -0.5), mass, 2, TEAL); // # | air mass #
     return sheetColour;
 }

@@ -50,8 +50,8 @@ vec3 rayColour(Ray ray)
     dot2(p, at, 9.0, ORANGE);
     dot2(p, EYE, 9.0, INK);
     dot2(p, EYE + length(sun - EYE) * toSun, 24.0, ORANGE);
-    number(p, at + 0.3 * toSun + 0.1 * vec2(toSun.y, -toSun.x) * sign(-toSun.x), sunMass, 2, ORANGE);
-    number(p, 0.5 * (at + EYE) + vec2(0.17, 0.06), viewMass, 2, BLUE);
+    number(p, at + 0.3 * toSun + 0.1 * vec2(toSun.y, -toSun.x) * sign(-toSun.x), sunMass, 2, ORANGE); // # | air mass towards the sun #
+    number(p, 0.5 * (at + EYE) + vec2(0.17, 0.06), viewMass, 2, BLUE); // # | air mass along the line of sight #
 
     // The light that each layer adds, and the sum.
     float axis = PLOT + 0.05;

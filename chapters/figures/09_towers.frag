@@ -38,6 +38,6 @@ vec3 rayColour(Ray ray)
     int steps = drawMarch(p, eye, direction, 4.0, 0.003, 64, t);
     stroke(d, 2.0, ORANGE);
     dot2(p, vec2(-1.66, 0.9), 26.0, PAPER);
-    number(p, vec2(-1.66, 0.9), float(steps), 0, BLUE);
+    number(p, vec2(-1.66, 0.9), float(steps), 0, BLUE); // # step(s)
     return sheetColour;
 }

@@ -60,6 +60,6 @@ vec3 rayColour(Ray ray)
     bool inside = crossings % 2 == 1;
     number(p, label, counted, 0, PALE);
     dot2(p, point, 9.0, inside ? ORANGE : BLUE);
-    number(p, point + vec2(0.0, 0.1), float(crossings), 0, inside ? ORANGE : BLUE);
+    number(p, point + vec2(0.0, 0.1), float(crossings), 0, inside ? ORANGE : BLUE); // # crossing(s)
     return sheetColour;
 }

@@ -32,6 +32,6 @@ vec3 rayColour(Ray ray)
     stroke(d / slope, 2.0, ORANGE);
     dot2(p, LEFT, 6.0, ORANGE);
     dot2(p, centre, 6.0, ORANGE);
-    number(p, vec2(-1.62, 0.87), float(steps), 0, BLUE);
+    number(p, vec2(-1.62, 0.87), float(steps), 0, BLUE); // # step(s)
     return sheetColour;
 }

@@ -35,7 +35,7 @@ vec3 rayColour(Ray ray)
     dot2(p, foot, 7.0, TEAL);
     dot2(p, nearest, 7.0, INK);
     dot2(p, point, 7.0, INK);
-    number(p, point + 0.11 * away, d, 2, BLUE);
-    number(p, foot - 0.11 * away, share, 2, TEAL);
+    number(p, point + 0.11 * away, d, 2, BLUE); // # | distance #
+    number(p, foot - 0.11 * away, share, 2, TEAL); // # | fraction #
     return sheetColour;
 }

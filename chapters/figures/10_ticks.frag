@@ -36,7 +36,7 @@ vec3 rayColour(Ray ray)
     fill(sdRectangle(q - vec2(tick, 0.0), vec2(0.5 * penWidth(2.0), 0.035)), ORANGE, 1.0);
     if (reached < FAR)
         stroke(length(q - vec2(reached, 0.0)) - 0.06, 2.0, ORANGE);
-    number(p, vec2(-1.62, 0.87), float(steps), 0, BLUE);
-    number(p, vec2(-1.62, 0.76), float(evaluations), 0, ORANGE);
+    number(p, vec2(-1.62, 0.87), float(steps), 0, BLUE); // # evaluation(s), march
+    number(p, vec2(-1.62, 0.76), float(evaluations), 0, ORANGE); // # evaluation(s), fixed steps
     return sheetColour;
 }

@@ -46,7 +46,7 @@ vec3 rayColour(Ray ray)
     dot2(p, b, 9.0, TEAL);
     dot2(p, vec2(low, -0.62), 9.0, ORANGE);
     dot2(p, vec2(high, -0.62), 9.0, ORANGE);
-    number(p, vec2(0.5 * (a.x + b.x), 0.75), mean, 2, TEAL);
+    number(p, vec2(0.5 * (a.x + b.x), 0.75), mean, 2, TEAL); // mean #
     fill(sdRectangle(p - vec2(1.55, 0.77), vec2(0.14)), mix(mix(PALE, PAPER, 0.25), PAPER, 0.5 + 0.5 * mean), 1.0);
     stroke(sdRectangle(p - vec2(1.55, 0.77), vec2(0.14)), 1.5, INK);
     return sheetColour;

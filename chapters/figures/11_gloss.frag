@@ -53,6 +53,6 @@ vec3 rayColour(Ray ray)
     arrow(p, AT, eye, 2.0, INK);
     dot2(p, lamp, 22.0, ORANGE);
     dot2(p, eye, 9.0, INK);
-    number(p, AT + 0.92 * h.xy, degrees(angleBetween(h.xy, vec2(0.0, 1.0))), 0, TEAL);
+    number(p, AT + 0.92 * h.xy, degrees(angleBetween(h.xy, vec2(0.0, 1.0))), 0, TEAL); // #° | normal at # degrees
     return sheetColour;
 }

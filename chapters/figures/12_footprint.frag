@@ -57,7 +57,7 @@ vec3 rayColour(Ray ray)
     line2(p, vec2(-2.0, FLOOR), vec2(2.0, FLOOR), 1.5, INK);
     line2(p, vec2(near, FLOOR), vec2(far, FLOOR), 5.0, TEAL);
     dot2(p, eye, 9.0, INK);
-    number(p, vec2(far + 0.13, FLOOR + 0.055), min(texels, 999.0), 1, TEAL);
-    number(p, vec2(-1.69, marked), level, 1, ORANGE);
+    number(p, vec2(far + 0.13, FLOOR + 0.055), min(texels, 999.0), 1, TEAL); // # texel(s)
+    number(p, vec2(-1.69, marked), level, 1, ORANGE); // # | level #
     return sheetColour;
 }

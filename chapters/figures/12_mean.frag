@@ -39,7 +39,7 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), at = middle / TEXEL + 256.0, side = vec2(0.5 * wide * TEXEL);
     sheetColour = encodeSRGB(texelAt(ivec2(floor(p / TEXEL + 256.0))));
-    stroke(sdRectangle(p - middle, side), 5.0, PAPER);
+    stroke(sdRectangle(p - middle, side), 5.0, CHALK);
     stroke(sdRectangle(p - middle, side), 2.5, ORANGE);
     dot2(p, middle, 7.0, ORANGE);
 
@@ -58,7 +58,7 @@ vec3 rayColour(Ray ray)
         vec3 colour = encodeSRGB(light);
         fill(sdRectangle(p - centre, vec2(0.25, 0.25)), colour, 1.0);
         stroke(sdRectangle(p - centre, vec2(0.25, 0.25)), 1.5, INK);
-        number(p, centre, 255.0 * colour.g, 0, colour.g > 0.5 ? INK : PAPER);
+        number(p, centre, 255.0 * colour.g, 0, colour.g > 0.5 ? NIGHT : CHALK);
     }
     return sheetColour;
 }

@@ -33,6 +33,6 @@ vec3 rayColour(Ray ray)
     stroke(wedge, 1.2, BLUE);
     curve(above, height.y, 2.2, ORANGE);
     dot2(p, tip, 9.0, INK);
-    number(p, vec2(tip.x, 0.88), bound, 2, BLUE);
+    number(p, vec2(tip.x, 0.88), bound, 2, BLUE); // slope ≤ #
     return sheetColour;
 }

@@ -54,6 +54,6 @@ vec3 rayColour(Ray ray)
     vec2 normal = normalOf(at);
     arrow(p, at, at + 0.28 * normal, 2.0, TEAL);
     dot2(p, at, 8.0, TEAL);
-    number(p, at + 0.38 * normal, min(1.0 / max(abs(dot(normal, to)), 1e-3), 99.0), 1, TEAL);
+    number(p, at + 0.38 * normal, min(1.0 / max(abs(dot(normal, to)), 1e-3), 99.0), 1, TEAL); // × #
     return sheetColour;
 }

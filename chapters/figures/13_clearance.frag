@@ -72,8 +72,8 @@ vec3 rayColour(Ray ray)
         dot2(p, spot + step.x * direction, 8.0, TEAL);
     }
     dot2(p, spot, 8.0, INK);
-    number(p, vec2(1.5, -0.62), angle.x, 1, TEAL);
-    number(p, vec2(1.5, -0.74), angle.y, 1, BLUE);
-    number(p, vec2(1.5, -0.86), angle.z, 1, ORANGE);
+    number(p, vec2(1.5, -0.62), angle.x, 1, TEAL); // distance / t: #°
+    number(p, vec2(1.5, -0.74), angle.y, 1, BLUE); // true: #°
+    number(p, vec2(1.5, -0.86), angle.z, 1, ORANGE); // crease: #°
     return sheetColour;
 }

@@ -41,14 +41,14 @@ float shareFrom(vec2 q)
 vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), eyes = vec2(1.16, 0.2), toBall = ball - spot, toLamp = normalize(LAMP - spot);
-    fill(p.y - LAMP.y + LAMP_RADIUS, PALE, 0.75 * (1.0 - shareFrom(p)) * (1.0 - smoothstep(0.35, 0.62, p.x)));
+    fill(p.y - LAMP.y + LAMP_RADIUS, SHADE, 0.75 * (1.0 - shareFrom(p)) * (1.0 - smoothstep(0.35, 0.62, p.x)));
 
     // The tangents from the point to the lamp are perpendicular to the lamp's radii at the points of contact.
     float spread = spreadFrom(spot), cosine = inversesqrt(1.0 + spread * spread), reach = LAMP_RADIUS / spread;
     vec2 aside = cosine * spread * vec2(-toLamp.y, toLamp.x);
     line2(p, spot, spot + reach * (cosine * toLamp + aside), 1.2, ORANGE);
     line2(p, spot, spot + reach * (cosine * toLamp - aside), 1.2, ORANGE);
-    fill(sdCircle(p - LAMP, LAMP_RADIUS), SAND, 1.0);
+    fill(sdCircle(p - LAMP, LAMP_RADIUS), GLOW, 1.0);
     stroke(sdCircle(p - LAMP, LAMP_RADIUS), 2.0, ORANGE);
     fill(sceneDistance(vec3(p, 0.0)), SKY, 1.0);
     stroke(sceneDistance(vec3(p, 0.0)), 2.0, BLUE);
@@ -62,10 +62,10 @@ vec3 rayColour(Ray ray)
     vec2 q = (p - eyes) / shown;
     float lampDisc = shown * (length(q) - 1.0), ballDisc = shown * (length(q - vec2(middle, 0.0)) - tangent / spread);
     bool inside = length(toBall) < radius, seen = inside || before(spot);
-    fill(lampDisc, SAND, 1.0);
+    fill(lampDisc, GLOW, 1.0);
     fill(max(inside ? -1.0 : ballDisc, lampDisc), SKY, seen ? 1.0 : 0.0);
     fill(max(abs(ballDisc) - 0.5 * penWidth(2.0), lampDisc - 0.13), BLUE, seen && !inside ? 1.0 : 0.0);
     stroke(lampDisc, 2.0, ORANGE);
-    number(p, eyes - vec2(0.0, 0.68), shareFrom(spot), 2, INK);
+    number(p, eyes - vec2(0.0, 0.68), shareFrom(spot), 2, INK); // visible #
     return sheetColour;
 }

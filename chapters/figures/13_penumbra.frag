@@ -34,7 +34,7 @@ vec3 rayColour(Ray ray)
     vec2 p = sheetPoint(ray), eyes = vec2(1.25, 0.3);
     float clear = clearFrom(spot), width = 0.4;
     float field = max(max(p.x - 0.7, spot.y - p.y), p.y - lamp.y);
-    fill(max(field, p.y - edge.y), PALE, 0.75 * (1.0 - discBesideEdge(clearFrom(p))));
+    fill(max(field, p.y - edge.y), SHADE, 0.75 * (1.0 - discBesideEdge(clearFrom(p))));
 
     // The floor, and below it the visible share along the floor.
     float share = discBesideEdge(clearFrom(vec2(p.x, spot.y))), base = spot.y - 0.36;
@@ -54,11 +54,11 @@ vec3 rayColour(Ray ray)
 
     // The lamp as seen from the point.
     vec2 q = p - eyes;
-    fill(length(q) - width, SAND, 1.0);
+    fill(length(q) - width, GLOW, 1.0);
     fill(max(length(q) - width, q.x + width * clear), SKY, 1.0);
     if (length(q) < width)
         line2(q, vec2(-width * clear, -1.0), vec2(-width * clear, 1.0), 2.0, BLUE);
     stroke(length(q) - width, 2.0, q.x < -width * clear ? BLUE : ORANGE);
-    number(p, eyes - vec2(0.0, 0.62), discBesideEdge(clear), 2, INK);
+    number(p, eyes - vec2(0.0, 0.62), discBesideEdge(clear), 2, INK); // visible #
     return sheetColour;
 }

@@ -66,6 +66,6 @@ vec3 rayColour(Ray ray)
     stroke(length(p - eyes) - size, 2.0, BLUE);
     dot2(p, eyes, 7.0, INK);
     float open = 1.0 - (far > radius ? hiddenByBall(vec3(POINT, 0.0), vec3(up, 0.0), vec3(ball, 0.0), radius) : 1.0);
-    number(p, eyes - vec2(0.0, 0.66), open, 3, INK);
+    number(p, eyes - vec2(0.0, 0.66), open, 3, INK); // openness #
     return sheetColour;
 }

@@ -23,7 +23,7 @@ void bar(vec2 p, float x, float share, vec3 colour)
 {
     fill(sdRectangle(p - vec2(x, FLOOR + 0.5 * share), vec2(0.06, 0.5 * share)), colour, 1.0);
     stroke(sdRectangle(p - vec2(x, FLOOR + 0.5), vec2(0.06, 0.5)), 1.2, colour);
-    number(p, vec2(x, FLOOR - 0.1), share, 2, colour);
+    number(p, vec2(x, FLOOR - 0.1), share, 2, colour); // # | openness #
 }
 
 vec3 rayColour(Ray ray)

@@ -34,19 +34,19 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), patch2 = vec2(1.35, 0.0), toLamp = normalize(lamp - spot + 1e-6);
     float d = sceneDistance(vec3(p, 0.0)), way = wayFrom(spot);
-    sheetColour = 0.7 * INK;
+    sheetColour = 0.7 * NIGHT;
     if (d < 0.02)
         fill(d, leftAfter(wayFrom(p)), 1.0);
     stroke(d, 2.0, ORANGE);
 
     dashes(p, spot, lamp, 1.4, PALE);
-    line2(p, spot, spot + (way + 1e-4) * toLamp, 3.0, PAPER);
-    dot2(p, spot, 11.0, PAPER);
+    line2(p, spot, spot + (way + 1e-4) * toLamp, 3.0, CHALK);
+    dot2(p, spot, 11.0, CHALK);
     dot2(p, spot, 7.0, ORANGE);
-    dot2(p, lamp, 18.0, PAPER);
+    dot2(p, lamp, 18.0, CHALK);
     float square = sdRectangle(p - patch2, vec2(0.2));
     fill(square, leftAfter(way), 1.0);
     stroke(square, 1.5, PALE);
-    number(p, patch2 - vec2(0.0, 0.32), way, 2, PAPER);
+    number(p, patch2 - vec2(0.0, 0.32), way, 2, CHALK); // path #
     return sheetColour;
 }

@@ -62,7 +62,7 @@ vec3 rayColour(Ray ray)
     dot2(p, vec2(spot.x, LOW.y + HIGH * there.x), 8.0, PALE);
     dot2(p, vec2(spot.x, LOW.y + HIGH * there.y), 8.0, ORANGE);
     dot2(p, vec2(spot.x, LOW.y + HIGH * there.z), 8.0, BLUE);
-    number(p, vec2(-1.55, 0.68), at, 1, INK);
-    number(p, vec2(-1.55, 0.56), there.z, 2, BLUE);
+    number(p, vec2(-1.55, 0.68), at, 1, INK); // light # stop(s)
+    number(p, vec2(-1.55, 0.56), there.z, 2, BLUE); // film #
     return sheetColour;
 }

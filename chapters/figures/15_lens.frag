@@ -55,9 +55,9 @@ vec3 rayColour(Ray ray)
     // The circle of confusion. The same light, spread over a larger disc, is fainter.
     float size = circleOfConfusion(far, radius, plane, 1.0), shown = max(0.5 * size, 0.01);
     vec2 film = vec2(1.42, 0.6);
-    fill(sdRectangle(p - film, vec2(0.3)), 0.7 * INK, 1.0);
+    fill(sdRectangle(p - film, vec2(0.3)), 0.7 * NIGHT, 1.0);
     float disc = max(length(p - film) - shown, sdRectangle(p - film, vec2(0.3)));
-    fill(disc, SAND, clamp(0.02 / (shown * shown), 0.08, 1.0));
-    number(p, film - vec2(0.0, 0.42), size, 2, INK);
+    fill(disc, GLOW, clamp(0.02 / (shown * shown), 0.08, 1.0));
+    number(p, film - vec2(0.0, 0.42), size, 2, INK); // diameter #
     return sheetColour;
 }

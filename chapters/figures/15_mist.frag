@@ -34,16 +34,16 @@ vec3 rayColour(Ray ray)
     float depth = fogDepth(height, climb, t, density, scale);
     float band = max(abs(off - 0.11) - 0.05, abs(dot(p - from, way) - 0.5 * far) - 0.5 * far);
     fill(band, INK, 1.0);
-    fill(band + penWidth(1.0), mix(MIST, 0.7 * INK, exp(-depth)), 1.0);
+    fill(band + penWidth(1.0), mix(MIST, 0.7 * NIGHT, exp(-depth)), 1.0);
     for (int i = 1; i < 10; i++) {
         float mark = inverseFogDepth(height, climb, 0.1 * float(i) * whole, density, scale);
-        line2(p, from + mark * way + 0.06 * beside, from + mark * way + 0.16 * beside, 1.2, PAPER);
+        line2(p, from + mark * way + 0.06 * beside, from + mark * way + 0.16 * beside, 1.2, CHALK);
         dot2(p, from + mark * way, 5.0, INK);
     }
     line2(p, from, to, 2.0, INK);
     dot2(p, from, 10.0, INK);
     dot2(p, to, 10.0, ORANGE);
-    number(p, vec2(-1.56, 0.86), whole, 2, INK);
-    number(p, vec2(-1.56, 0.74), exp(-whole), 2, BLUE);
+    number(p, vec2(-1.56, 0.86), whole, 2, INK); // optical depth #
+    number(p, vec2(-1.56, 0.74), exp(-whole), 2, BLUE); // light left #
     return sheetColour;
 }

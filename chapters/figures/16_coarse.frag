@@ -66,7 +66,7 @@ vec3 rayColour(Ray ray)
     line2(p, eye, end - half2, 2.0, TEAL);
     line2(p, end - half2, end + half2, 4.0, TEAL);
     fill(spots - penWidth(2.5), INK, 1.0);
-    number(p, vec2(-1.58, 0.86), float(count), 0, TEAL);
-    number(p, vec2(-1.58, 0.74), float(rest), 0, INK);
+    number(p, vec2(-1.58, 0.86), float(count), 0, TEAL); // # step(s), block
+    number(p, vec2(-1.58, 0.74), float(rest), 0, INK); // # step(s), ray
     return sheetColour;
 }

@@ -61,7 +61,7 @@ vec3 rayColour(Ray ray)
     float above = heightAt(before) - threshold, gap = heightAt(last) - threshold;
     float end = last > before ? last + (last - before) * gap / (above - gap) : last;
     dot2(p, vec2(end, FLOOR + heightAt(end)), 10.0, TEAL);
-    number(p, vec2(1.2, 0.84), heightAt(end), 2, TEAL);
-    number(p, vec2(1.2, 0.72), heightAt(plain), 2, ORANGE);
+    number(p, vec2(1.2, 0.84), heightAt(end), 2, TEAL); // marchCrossing #
+    number(p, vec2(1.2, 0.72), heightAt(plain), 2, ORANGE); // march #
     return sheetColour;
 }

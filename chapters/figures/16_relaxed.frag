@@ -69,7 +69,7 @@ vec3 rayColour(Ray ray)
     line2(p, eye, eye + min(found ? t : covered, FAR) * direction, 6.0, TEAL);
     fill(spots - penWidth(3.0), INK, 1.0);
     fill(lostSpot - penWidth(3.0), ORANGE, 1.0);
-    number(p, vec2(-1.58, 0.86), float(count), 0, INK);
-    number(p, vec2(-1.58, 0.74), float(plainCount(direction)), 0, BLUE);
+    number(p, vec2(-1.58, 0.86), float(count), 0, INK); // # evaluation(s)
+    number(p, vec2(-1.58, 0.74), float(plainCount(direction)), 0, BLUE); // plain march #
     return sheetColour;
 }

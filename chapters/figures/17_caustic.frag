@@ -31,7 +31,7 @@ vec3 rayColour(Ray ray)
     vec2 p = sheetPoint(ray), toLamp = normalize(lamp + 1e-6), across = vec2(-toLamp.y, toLamp.x);
     float d = sceneDistance(vec3(p, 0.0)), light = lightAt(p - ball, toLamp);
     // From night to the brightest colour: a light of 1 is a third of the way, and a light of 4 is two thirds.
-    sheetColour = mix(0.7 * INK, SAND, light / (light + 2.0));
+    sheetColour = mix(0.7 * NIGHT, GLOW, light / (light + 2.0));
 
     // Parallel rays: each is turned by the angle of incidence minus that of refraction where it enters, and by the same
     // angle where it leaves.
@@ -46,11 +46,11 @@ vec3 rayColour(Ray ray)
         path = min(path, sdSegment(p, leave, leave + 4.0 * away));
     }
     fill(d, BLUE, 0.35);
-    fill(path - penWidth(0.4), SAND, 0.55);
+    fill(path - penWidth(0.4), GLOW, 0.55);
     stroke(d, 2.0, BLUE);
-    dot2(p, spot, 11.0, PAPER);
+    dot2(p, spot, 11.0, CHALK);
     dot2(p, spot, 8.0, ORANGE);
     if (p.x < -1.3 && p.y > 0.7) // the number is computed only where it is shown
-        number(p, vec2(-1.56, 0.86), lightAt(spot - ball, toLamp), 1, PAPER);
+        number(p, vec2(-1.56, 0.86), lightAt(spot - ball, toLamp), 1, CHALK); // brightness #
     return sheetColour;
 }

@@ -70,12 +70,12 @@ vec3 rayColour(Ray ray)
         turned = k == 2 ? degrees(angleBetween(start, direction)) : turned;
     }
     light += meanColour(waves.x, waves.y) * amount / max(waves.y - waves.x, 1e-4);
-    sheetColour = 0.7 * INK;
+    sheetColour = 0.7 * NIGHT;
     fill(prism, BLUE, 0.3);
     stroke(prism, 1.5, BLUE);
     sheetColour = encodeSRGB(pow(sheetColour, vec3(2.2)) + 2.0 * light);
-    dot2(p, lamp, 12.0, PAPER);
-    number(p, vec2(-1.56, 0.86), turned, 1, PAPER);
-    number(p, vec2(-1.56, 0.74), degrees(leastDeviation(radians(60.0), GREEN)), 1, PALE);
+    dot2(p, lamp, 12.0, CHALK);
+    number(p, vec2(-1.56, 0.86), turned, 1, CHALK); // turned by #°
+    number(p, vec2(-1.56, 0.74), degrees(leastDeviation(radians(60.0), GREEN)), 1, PALE); // least #°
     return sheetColour;
 }

@@ -62,9 +62,9 @@ vec3 rayColour(Ray ray)
     dashes(p, LOW + vec2(angle * SIZE.x, 0.0), LOW + vec2(angle, parting.mirrored) * SIZE, 1.0, INK);
     dot2(p, LOW + vec2(angle, parting.mirrored) * SIZE, 9.0, INK);
     float leaving = degrees(atan(abs(parting.bent.x), abs(parting.bent.y)));
-    number(p, vec2(-1.56, 0.86), 90.0 * angle, 1, INK);
+    number(p, vec2(-1.56, 0.86), 90.0 * angle, 1, INK); // ray #°
     if (passed > 0.0)
-        number(p, vec2(-1.56, 0.74), leaving, 1, TEAL);
-    number(p, vec2(-1.56, 0.62), parting.mirrored, 2, ORANGE);
+        number(p, vec2(-1.56, 0.74), leaving, 1, TEAL); // refracted #°
+    number(p, vec2(-1.56, 0.62), parting.mirrored, 2, ORANGE); // reflected #
     return sheetColour;
 }

@@ -71,8 +71,8 @@ vec3 rayColour(Ray ray)
     line2(p, vec2(LOW.x - 0.2, spot.y), spot, 2.0, ORANGE);
     dot2(p, spot, 9.0, ORANGE);
     float column = row * (SKY_TABLE.x - 1.0), next = 1.0 / (SKY_TABLE.x - 1.0);
-    number(p, vec2(0.2, 0.93), column, 0, INK);
+    number(p, vec2(0.2, 0.93), column, 0, INK); // column #
     float wide = arcSine(sineAt(row + next * step(row, 0.5))) - arcSine(sineAt(row - next * step(0.5, row)));
-    number(p, vec2(0.8, 0.93), degrees(wide), 2, ORANGE);
+    number(p, vec2(0.8, 0.93), degrees(wide), 2, ORANGE); // #° wide
     return sheetColour;
 }

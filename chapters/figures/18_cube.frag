@@ -55,6 +55,6 @@ vec3 rayColour(Ray ray)
     dot2(p, LEFT + HALF_SIDE * at, 9.0, BLUE);
     dot2(p, there, 11.0, PAPER);
     dot2(p, there, 9.0, BLUE);
-    number(p, vec2(0.0, 0.9), 90.0 - degrees(angle), 1, INK);
+    number(p, vec2(0.0, 0.9), 90.0 - degrees(angle), 1, INK); // height #°
     return sheetColour;
 }

@@ -50,9 +50,9 @@ vec3 rayColour(Ray ray)
     fill(rim, encodeSRGB(filmOfLargest(light, 1.35, 6.0)), 1.0);
     stroke(rim, 1.5, INK);
     dashes(p, LEFT, LEFT + from, 1.0, PALE);
-    dot2(p, LEFT + from, 12.0, length(from) < RIM ? PAPER : ORANGE);
+    dot2(p, LEFT + from, 12.0, length(from) < RIM ? CHALK : ORANGE);
     dashes(p, RIGHT, RIGHT + from, 1.0, PALE);
-    dot2(p, RIGHT + from, 12.0, length(from) < RIM ? PAPER : ORANGE);
-    number(p, vec2(0.0, 0.9), 90.0 * (1.0 - length(from) / RIM), 0, INK);
+    dot2(p, RIGHT + from, 12.0, length(from) < RIM ? CHALK : ORANGE);
+    number(p, vec2(0.0, 0.9), 90.0 * (1.0 - length(from) / RIM), 0, INK); // sun at #°
     return sheetColour;
 }

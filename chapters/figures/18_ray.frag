@@ -48,7 +48,7 @@ vec3 rayColour(Ray ray)
     direction = normalize(direction - min(dot(direction, up), 0.0) * up + 1e-5 * vec2(up.y, -up.x));
     float d = sceneDistance(vec3(p, 0.0)), cosine = dot(direction, toSun);
     vec3 lit = sqrt(sunlightAt(p, toSun));
-    fill(d - TOP, mix(INK, vec3(0.62, 0.77, 0.97) * lit, max(lit.r, 0.1)), 0.9 * exp(-max(d, 0.0) / 0.25));
+    fill(d - TOP, mix(NIGHT, vec3(0.62, 0.77, 0.97) * lit, max(lit.r, 0.1)), 0.9 * exp(-max(d, 0.0) / 0.25));
     float b = dot(EYE - CENTRE, direction), way = sqrt(b * b + TOP * (2.0 * RADIUS + TOP)) - b;
     vec3 depth = vec3(0.0), sum = vec3(0.0);
     line2(p, EYE, EYE + way * direction, 2.0, INK);

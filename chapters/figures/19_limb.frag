@@ -27,9 +27,9 @@ float groundLight(vec2 q, vec3 toSun, bool dust)
 void drawLaw(vec2 p, float x, vec3 toSun, bool dust, float chosen)
 {
     vec2 q = (p - vec2(x, 0.45)) / RADIUS;
-    fill(sdRectangle(q, vec2(1.12)) * RADIUS, INK, 1.0);
+    fill(sdRectangle(q, vec2(1.12)) * RADIUS, NIGHT, 1.0);
     fill((length(q) - 1.0) * RADIUS, encodeSRGB(vec3(0.8) * groundLight(q, toSun, dust)), 1.0);
-    fill((length(q) - 1.0) * RADIUS, PAPER, 0.06);
+    fill((length(q) - 1.0) * RADIUS, CHALK, 0.06);
     line2(p, vec2(x - RADIUS, LOW), vec2(x + RADIUS, LOW), 1.5, INK);
     dashes(p, vec2(x - RADIUS, LOW + HIGH), vec2(x + RADIUS, LOW + HIGH), 1.0, PALE);
     vec2 low = vec2(clamp(q.x - 0.01, -0.999, 0.979), 0.0), high = low + vec2(0.02, 0.0);
@@ -40,7 +40,7 @@ void drawLaw(vec2 p, float x, vec3 toSun, bool dust, float chosen)
     dashes(p, vec2(spot.x, 0.45), vec2(spot.x, LOW), 1.0, ORANGE);
     dot2(p, vec2(spot.x, 0.45), 8.0, ORANGE);
     dot2(p, vec2(spot.x, min(spot.y, -0.06)), 8.0, ORANGE);
-    number(p, vec2(spot.x, LOW - 0.09), groundLight(vec2(chosen, 0.0), toSun, dust), 2, ORANGE);
+    number(p, vec2(spot.x, LOW - 0.09), groundLight(vec2(chosen, 0.0), toSun, dust), 2, ORANGE); // # | brightness #
 }
 
 vec3 rayColour(Ray ray)
@@ -48,8 +48,8 @@ vec3 rayColour(Ray ray)
     vec2 p = sheetPoint(ray), toSun = normalize(sun - MOON + 1e-6);
     vec3 inFrame = vec3(toSun.x, 0.0, -toSun.y); // right, up, to the eye
     float d = sceneDistance(vec3(p, 0.0)), chosen = clamp((at.x - 0.15) / RADIUS, -0.999, 0.999);
-    fill(d, PAPER, 1.0);
-    fill(max(d, dot(p - MOON, toSun)), INK, 1.0);
+    fill(d, CHALK, 1.0);
+    fill(max(d, dot(p - MOON, toSun)), NIGHT, 1.0);
     stroke(d, 2.0, INK);
     vec2 ground = MOON + RADIUS * vec2(chosen, -sqrt(1.0 - chosen * chosen));
     dashes(p, ground, vec2(ground.x, -0.9), 1.5, BLUE);

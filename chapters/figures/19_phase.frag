@@ -23,7 +23,7 @@ void drawBall(vec2 p, vec2 centre, float radius, vec2 toSun, vec3 day, vec3 edge
 {
     float d = sdCircle(p - centre, radius);
     fill(d, day, 1.0);
-    fill(max(d, dot(p - centre, toSun)), INK, 1.0);
+    fill(max(d, dot(p - centre, toSun)), NIGHT, 1.0);
     stroke(d, 2.0, edge);
 }
 
@@ -38,20 +38,20 @@ vec3 rayColour(Ray ray)
     line2(p, EARTH, moon, 1.5, TEAL);
     dashes(p, moon, moon + 0.5 * toSun, 1.5, ORANGE);
     drawBall(p, EARTH, 0.16, toSun, SKY, BLUE);
-    drawBall(p, moon, 0.09, toSun, PAPER, INK);
+    drawBall(p, moon, 0.09, toSun, CHALK, INK);
     // The phase angle g, between the directions from the moon to the sun and to the Earth.
     float cosine = dot(toSun, toEye), side = toEye.x * toSun.y - toEye.y * toSun.x, half_ = 0.5 * angleBetween(toSun, toEye);
     vec2 middle = normalize(toSun + toEye + 1e-5 * vec2(-toEye.y, toEye.x)), q = p - moon;
     float arc = sdArc(vec2(dot(q, vec2(middle.y, -middle.x)), dot(q, middle)), 0.19, max(half_, 0.01));
     fill(arc - 0.5 * penWidth(2.0), TEAL, 1.0);
-    number(p, moon - 0.19 * middle, degrees(2.0 * half_), 0, TEAL);
+    number(p, moon - 0.19 * middle, degrees(2.0 * half_), 0, TEAL); // #° | phase angle # degrees
     // The disc as an eye on the Earth sees it. inFrame is the direction to the sun: right, up, and towards the eye. It
     // has no upward component, because the sun is in the plane of the sheet.
     vec2 point = (p - SEEN) / DISC;
     vec3 inFrame = vec3(side, 0.0, cosine);
     vec3 face = moonFace(moonMap, point, sheetPixel() / DISC, inFrame, 1.5) * exp(1.2 * half_);
-    fill(sdCircle(p - SEEN, 0.7), INK, 1.0);
+    fill(sdCircle(p - SEEN, 0.7), NIGHT, 1.0);
     fill(length(p - SEEN) - DISC, encodeSRGB(1.0 - exp(-1.1 * face - vec3(0.008, 0.009, 0.013))), 1.0);
-    number(p, vec2(SEEN.x, -0.85), 100.0 * moonShare(cosine), 0, INK);
+    number(p, vec2(SEEN.x, -0.85), 100.0 * moonShare(cosine), 0, INK); // # % lit
     return sheetColour;
 }

@@ -37,11 +37,11 @@ vec3 rayColour(Ray ray)
     vec2 p = sheetPoint(ray), at = (star - CORNER) / SIDE, pixel = floor((p - CORNER) / SIDE);
     float frame = sdRectangle(p - CORNER - SIDE * vec2(4.0, 3.5), SIDE * vec2(4.0, 3.5));
     float light = spotLight(pixel + 0.5 - at);
-    fill(frame, mix(INK, PAPER, sqrt(min(2.0 * light, 1.0))), 1.0);
+    fill(frame, mix(NIGHT, CHALK, sqrt(min(2.0 * light, 1.0))), 1.0);
     vec2 edge = abs(p - CORNER - SIDE * floor((p - CORNER) / SIDE + 0.5));
     fill(max(frame, min(edge.x, edge.y) - 0.5 * penWidth(1.0)), PALE, 0.6);
     if (frame < 0.0 && light > 0.005)
-        number(p, CORNER + SIDE * (pixel + 0.5), 100.0 * light, 0, light > 0.1 ? INK : PAPER);
+        number(p, CORNER + SIDE * (pixel + 0.5), 100.0 * light, 0, light > 0.1 ? NIGHT : CHALK);
     stroke(frame, 2.0, INK);
     stroke(sdCircle(p - star, radius * SIDE), 2.0, ORANGE);
     dot2(p, star, 8.0, ORANGE);
@@ -58,7 +58,7 @@ vec3 rayColour(Ray ray)
     vec2 spot = mix(LOW, HIGH, vec2((at.x - start) / 4.0, 0.5 * min(now, 2.1)));
     dashes(p, vec2(spot.x, LOW.y), spot, 1.0, ORANGE);
     dot2(p, spot, 9.0, ORANGE);
-    number(p, vec2(spot.x, -0.72), 100.0 * now, 1, ORANGE);
-    number(p, vec2(0.52, 0.0), 100.0, 0, PALE);
+    number(p, vec2(spot.x, -0.72), 100.0 * now, 1, ORANGE); // # % | sum # percent
+    number(p, vec2(0.52, 0.0), 100.0, 0, PALE); // # |
     return sheetColour;
 }

@@ -49,9 +49,9 @@ vec3 rayColour(Ray ray)
     float lot = cellRandom(ivec3(int(band), int(around), 19));
     float across = abs(fixed_.x - 4.0 * (band + 0.2 + 0.6 * lot)), along = 45.0 * fract(around) - 22.0 * fract(7.0 * lot);
     float width = degrees(1.5707963 / RIM) * penWidth(1.0), rim = length(point) - RIM;
-    fill(rim, INK, 1.0);
+    fill(rim, NIGHT, 1.0);
     if (along > 0.0 && along < 22.5)
-        fill(max(rim, (across - 0.5 * width) / width * penWidth(1.0)), mix(BLUE, PAPER, fract(31.0 * lot)), 1.0);
+        fill(max(rim, (across - 0.5 * width) / width * penWidth(1.0)), mix(BLUE, CHALK, fract(31.0 * lot)), 1.0);
     fill(max(rim, (abs(fixed_.x - declination) - 0.8 * width) / width * penWidth(1.0)), ORANGE, 1.0);
     vec3 fixedStar = vec3(toStar.x * vec2(cos(2.0), sin(2.0)), toStar.y), seen = transpose(turn) * fixedStar;
     vec3 pole = vec3(up.x, up.y, 0.0);
@@ -74,7 +74,7 @@ vec3 rayColour(Ray ray)
         arrow(p, at, at + 0.42 * toStar, 2.0, ORANGE);
     arrow(p, at, at + vec2(0.0, 0.42 * southern), 2.0, TEAL);
     dot2(p, at, 10.0, INK);
-    number(p, at + vec2(0.0, 0.5 * southern), abs(latitude), 0, TEAL);
-    number(p, vec2(0.0, -0.9), height, 0, ORANGE);
+    number(p, at + vec2(0.0, 0.5 * southern), abs(latitude), 0, TEAL); // #° | latitude # degrees
+    number(p, vec2(0.0, -0.9), height, 0, ORANGE); // height #°
     return sheetColour;
 }

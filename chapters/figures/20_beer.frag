@@ -64,7 +64,7 @@ vec3 rayColour(Ray ray)
     dot2(p, eye, 9.0, INK);
     dashes(p, lamp, lamp - 0.25 * toLamp, 1.5, ORANGE);
     dot2(p, lamp, 26.0, ORANGE);
-    number(p, vec2(1.3, 0.85), 100.0 * (1.0 - left), 0, BLUE);
-    number(p, vec2(1.6, 0.85), 100.0 * above, 0, ORANGE);
+    number(p, vec2(1.3, 0.85), 100.0 * (1.0 - left), 0, BLUE); // # % | cover # percent
+    number(p, vec2(1.6, 0.85), 100.0 * above, 0, ORANGE); // # % | lit # percent
     return sheetColour;
 }

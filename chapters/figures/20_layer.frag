@@ -57,10 +57,10 @@ vec3 rayColour(Ray ray)
     dashes(p, hit, EYE + KM * flat_ * vec2(1.0, climb), 1.5, INK);
     dot2(p, EYE + KM * flat_ * vec2(1.0, climb), 9.0, ORANGE);
     dot2(p, hit, 9.0, BLUE);
-    number(p, vec2(-1.58, 0.88), degrees(arcSine(climb)), 1, INK);
-    number(p, vec2(-1.2, 0.88), layerHit(0.0, climb, altitude), 1, BLUE);
+    number(p, vec2(-1.58, 0.88), degrees(arcSine(climb)), 1, INK); // #° | ray at # degrees
+    number(p, vec2(-1.2, 0.88), layerHit(0.0, climb, altitude), 1, BLUE); // # | round layer # km
     if (flat_ < 1000.0)
-        number(p, vec2(-0.8, 0.88), flat_, 1, ORANGE);
-    number(p, clamp(hit - vec2(0.0, 0.13), vec2(-1.5, -0.9), vec2(1.6, 0.75)), (far.x - near.x) / KM.x, 1, TEAL);
+        number(p, vec2(-0.8, 0.88), flat_, 1, ORANGE); // # | flat layer # km
+    number(p, clamp(hit - vec2(0.0, 0.13), vec2(-1.5, -0.9), vec2(1.6, 0.75)), (far.x - near.x) / KM.x, 1, TEAL); // # km
     return sheetColour;
 }

@@ -72,7 +72,7 @@ vec3 rayColour(Ray ray)
         base.x += size.x;
     }
     vec3 sent = cloudLight(c, there, toSun, vec3(1.0), vec3(0.0));
-    number(p, vec2(1.5, -0.65), sent.x, 2, INK);
+    number(p, vec2(1.5, -0.65), sent.x, 2, INK); // light #
     stroke(sdCircle(p - point, penWidth(5.0)), 2.0, ORANGE);
     return sheetColour;
 }

@@ -65,7 +65,7 @@ vec3 rayColour(Ray ray)
     for (int i = 0; i < 4; i++) {
         vec3 colour = i == 0 ? ORANGE : (i == 1 ? INK : (i == 2 ? TEAL : BLUE));
         dot2(p, start + vec2(max(steps[i], 0.0) / UNITS.x, 0.0), 9.0, colour);
-        number(p, vec2(0.4 + 0.36 * float(i), -0.9), max(steps[i], 0.0), 2, colour);
+        number(p, vec2(0.4 + 0.36 * float(i), -0.9), max(steps[i], 0.0), 2, colour); // # | step #
     }
     dot2(p, start, 9.0, INK);
     return sheetColour;

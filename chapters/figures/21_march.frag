@@ -67,6 +67,6 @@ vec3 rayColour(Ray ray)
     }
     fill(above, SAND, 1.0);
     stroke(above, 2.0, ORANGE);
-    number(p, vec2(1.6, 0.85), float(steps), 0, INK);
+    number(p, vec2(1.6, 0.85), float(steps), 0, INK); // # step(s)
     return sheetColour;
 }

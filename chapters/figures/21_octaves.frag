@@ -45,7 +45,7 @@ vec3 rayColour(Ray ray)
     dashes(p, vec2(end, 0.4), vec2(end, -1.0), 1.0, BLUE);
     line2(p, vec2(LEFT, pixel.y), vec2(end, pixel.y), 4.0, BLUE);
     dot2(p, vec2(end, pixel.y), 9.0, BLUE);
-    number(p, vec2(max(end, LEFT + 0.2) + 0.2, pixel.y), width, 2, BLUE);
-    number(p, vec2(1.6, 0.93), fit, 1, TEAL);
+    number(p, vec2(max(end, LEFT + 0.2) + 0.2, pixel.y), width, 2, BLUE); // # | pixel width #
+    number(p, vec2(1.6, 0.93), fit, 1, TEAL); // # octave(s) fit
     return sheetColour;
 }

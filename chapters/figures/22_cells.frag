@@ -61,7 +61,7 @@ vec3 rayColour(Ray ray)
     }
     line2(p, eye, eye + min(t, 3.6) * direction, 2.0, INK);
     fill(spots - penWidth(3.0), INK, 1.0);
-    number(p, vec2(-1.6, 0.88), parts, 0, INK);
-    number(p, vec2(-1.6, 0.76), all, 0, ORANGE);
+    number(p, vec2(-1.6, 0.88), parts, 0, INK); // # part(s)
+    number(p, vec2(-1.6, 0.76), all, 0, ORANGE); // without cells #
     return sheetColour;
 }

@@ -50,6 +50,6 @@ vec3 rayColour(Ray ray)
     stroke(max(q.x, q.y), 2.0, BLUE);
     stroke(length(p - cell) - r, 1.0, BLUE);
     dot2(p, cell, 7.0, BLUE);
-    number(p, vec2(-1.6, 0.88), float(kept), 0, ORANGE);
+    number(p, vec2(-1.6, 0.88), float(kept), 0, ORANGE); // # in the list
     return sheetColour;
 }

@@ -38,8 +38,8 @@ vec3 rayColour(Ray ray)
     arrow(p, tip, tip + 0.45 * second, 2.0, dot(point - tip, second) < 0.0 ? ORANGE : BLUE);
     arrow(p, tip, tip + 0.45 * (first + second), 3.0, TEAL);
     dot2(p, point, 4.0, INK);
-    number(p, vec2(-1.58, 0.86), dot(point - tip, first), 2, BLUE);
-    number(p, vec2(-1.58, 0.74), dot(point - tip, second), 2, BLUE);
-    number(p, vec2(-1.58, 0.62), dot(point - tip, first + second), 2, TEAL);
+    number(p, vec2(-1.58, 0.86), dot(point - tip, first), 2, BLUE); // first edge #
+    number(p, vec2(-1.58, 0.74), dot(point - tip, second), 2, BLUE); // second edge #
+    number(p, vec2(-1.58, 0.62), dot(point - tip, first + second), 2, TEAL); // sum #
     return sheetColour;
 }

@@ -4,6 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import {coloured, escaped, plain, sizeOf} from './colour.mjs';
 import {commandOf, isCommand, isFigure, piecesOf, pictureOf as commandOfPicture} from './commands.mjs';
+import {parametersIn, sheetOf} from './sheets.mjs';
 
 export const read = (file) => fs.readFileSync(file, 'utf8');
 const temml = (await import(new URL('../../build/node/node_modules/temml/dist/temml.mjs', import.meta.url))).default;
@@ -190,12 +191,14 @@ function pictureOf(source, pictures) {
     return `src="pictures/${name}" width="${width}" height="${height}"${width >= 600 ? ' class="wide"' : ''}`;
 }
 
-// A picture that a program has drawn becomes the running program when a reader clicks or taps it.
+// A picture that a program has drawn becomes the running program when a reader clicks or taps it. An interactive figure
+// needs no program; the program is there for its editor.
 const images = (html, pictures) => html.replace(/<img src="(?!pictures\/)([^"]*)"([^>]*?) ?\/?>/g, (_, source, more) => {
     const img = `<img ${pictureOf(source, pictures)}${more} loading="lazy" decoding="async">`;
     const {stem, line, probe, step} = commandOfPicture(path.basename(source)) ?? {};
     if (!stem) return img;
-    return `<live-chapter class="in-place${isFigure(line) ? ' hands' : ''}" stem="${stem}"${line ? ` line="${escaped(line)}"` : ''}${probe ? ` probe="${probe}"` : ''}${step ? ` step="${step}"` : ''}>${img}</live-chapter>`;
+    return `<live-chapter class="in-place${isFigure(line) ? ' hands' : ''}" stem="${stem}"${line ? ` line="${escaped(line)}"` : ''}${probe ? ` probe="${probe}"` : ''}${step ? ` step="${step}"` : ''}>`
+        + `${isFigure(line) ? sheetOf(stem, line, img) : img}</live-chapter>`;
 });
 
 // The first picture of a chapter becomes the poster of its program, which is not running yet. The page waits for this
@@ -213,7 +216,7 @@ function wordy(table) {
 }
 
 // Each picture that is not part of a program or a question becomes a link to its file, so that a reader can enlarge it.
-const enlarged = (html) => html.replace(/(<live-chapter[^>]*>|<button type="button" class="tap"[^>]*>)?(<img src="([^"]*)"[^>]*>)/g, (whole, inside, img, source) => inside ? whole : `<a class="picture" href="${source}">${img}</a>`);
+const enlarged = (html) => html.replace(/(<live-chapter[^>]*>|<div class="sheet-screen">|<button type="button" class="tap"[^>]*>)?(<img src="([^"]*)"[^>]*>)/g, (whole, inside, img, source) => inside ? whole : `<a class="picture" href="${source}">${img}</a>`);
 
 // In a table of pictures, the cells share the width; a table of numbers scrolls if it is wider than the page.
 const tables = (html) => html.replace(/<table>(.*?)<\/table>/gs, (whole, inside) => {
@@ -233,8 +236,9 @@ const links = (html, sources) => html.replace(/<a href="source:([^"#]*)(#[^"]*)?
 //   pictures  receives the pictures that the page shows, a map from the name on the site to the file
 export function bodyOf(html, {stem, sources, pictures}) {
     html = inline(blocks(formulas(html), sources));
-    if (stem) html = guesses(scrubs(html, parametersOf(stem)), stem, pictures);
-    html = links(images(stem ? live(html, stem, pictures) : html, pictures), sources);
+    if (stem) html = live(guesses(html, stem, pictures), stem, pictures);
+    html = links(images(html, pictures), sources);
+    if (stem) html = scrubs(html, new Set([...parametersOf(stem), ...parametersIn(html)]));
     html = tables(html).replaceAll(' />', '>');
     // Third-level headings above the first section become small second-level headings, so that no level is skipped.
     html = html.replace(/^.*?(?=<h2|$(?![^]))/s, (head) => head.replace(/<h3( [^>]*)>(.*?)<\/h3>/gs, '<h2 class="minor"$1>$2</h2>'));

@@ -6,7 +6,7 @@ import {subset} from './fonts.mjs';
 
 // In a dark theme the colours of the pen change (docs/figures/svg.h), and so do the other colours that figures use for
 // text and backgrounds. A picture follows the colour scheme of the page that shows it.
-const DARK = {'#0d1433': '#e9e5dc', '#9aa0b5': '#7f8494', '#d9731a': '#f2954a', '#fce1b8': '#5d4420', '#2f6fc0': '#7fb2f5', '#cfe0f5': '#22395a',
+export const DARK = {'#0d1433': '#e9e5dc', '#9aa0b5': '#7f8494', '#d9731a': '#f2954a', '#fce1b8': '#5d4420', '#2f6fc0': '#7fb2f5', '#cfe0f5': '#22395a',
     '#0b7f73': '#4cc4b5', '#fffbf2': '#1e2024', '#ffffff': '#141518', '#e4e2dd': '#34363c', '#f0c9a8': '#6b4628', '#b3261e': '#f0776c',
     '#1b7f3b': '#5cc47f', '#2446b8': '#8aa2ff'};
 

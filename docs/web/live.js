@@ -34,16 +34,36 @@ class LiveChapter extends HTMLElement {
     connectedCallback() {
         if (this.screen) return; // the element was only moved
         const poster = this.querySelector('img');
-        this.button = part('button', {type: 'button', className: 'live-start', textContent: this.hasHands ? 'Drag the points' : this.isInPlace ? '▶' : '▶ Run'});
-        if (!this.hasHands) this.button.setAttribute('aria-label', this.isInPlace ? `Run this picture: ${poster.alt}` : `Run the program of chapter ${this.stem.slice(0, 2)}`);
-        this.button.addEventListener('click', () => { if (!this.hasAttribute('aria-busy')) this.run(); }); // a disabled button would lose the focus
-        this.screen = part('div', {className: 'live-screen'}, ...(poster ? [poster] : []), this.button);
-        if (this.isInPlace) poster.addEventListener('click', () => this.run());
+        if (this.hasHands) this.besideSheet(this.querySelector('figure-sheet'));
+        else this.behindPoster(poster);
         // On a touch screen, creating a graphics context while a finger goes down would turn the tap into a long press.
         this.screen.addEventListener('pointerenter', (event) => { if (event.pointerType === 'mouse') this.expect(); }, {once: true});
         if (poster) this.style.setProperty('--across', poster.classList.contains('wide') ? '100%' : `${poster.getAttribute('width')}px`);
-        this.prepend(this.screen);
         this.prepare();
+    }
+
+    // A picture, which a click replaces with the program.
+    behindPoster(poster) {
+        this.button = part('button', {type: 'button', className: 'live-start', textContent: this.isInPlace ? '▶' : '▶ Run'});
+        this.button.setAttribute('aria-label', this.isInPlace ? `Run this picture: ${poster.alt}` : `Run the program of chapter ${this.stem.slice(0, 2)}`);
+        this.button.addEventListener('click', () => { if (!this.hasAttribute('aria-busy')) this.run(); }); // a disabled button would lose the focus
+        this.screen = part('div', {className: 'live-screen'}, ...(poster ? [poster] : []), this.button);
+        if (this.isInPlace) poster.addEventListener('click', () => this.run());
+        this.prepend(this.screen);
+    }
+
+    // An interactive figure (sheet.js), which needs no program. Its button Edit replaces it with the program, opens the
+    // figure's shader in the editor, and passes on what the reader has moved.
+    besideSheet(sheet) {
+        this.sheet = sheet;
+        this.button = sheet.querySelector('.sheet-edit');
+        this.button.addEventListener('click', async () => {
+            if (this.hasAttribute('aria-busy')) return;
+            await this.run(this.getAttribute('line') + sheet.settings);
+            if (this.program?.call('live_runs')) await this.stage.changes.toggle(true);
+        });
+        this.screen = part('div', {className: 'live-screen'});
+        sheet.after(this.screen);
     }
 
     // Set the text of the button if the address contains changes.

@@ -1,6 +1,7 @@
 // scrub.js - makes numbers in sentences adjustable: code such as `shadowOffset=0.25`, which names a parameter, can be
 // dragged sideways or changed with the arrow keys, and a picture on the page follows.
 const WAY = 240; // the drag distance, in CSS pixels, from a parameter's minimum to its maximum
+const isSheet = (one) => one.matches('figure-sheet');
 
 export class Scrub {
     //   code   the element, code.scrub
@@ -39,16 +40,16 @@ export class Scrub {
         this.code.onpointerup = this.code.onpointercancel = () => { this.code.onpointermove = null; };
     }
 
-    // The picture that follows the number: the running picture if it has the parameter, otherwise the nearest one that
-    // is not an interactive figure, or, if there is none, the nearest figure.
+    // The picture that follows the number: the running picture if it has the parameter, otherwise the nearest one. An
+    // interactive figure counts only if it has the parameter; what the other pictures have is known when they run.
     picture() {
-        const top = this.code.getBoundingClientRect().top, far = (one) => Math.abs(one.getBoundingClientRect().top - top) + (one.classList.contains('hands') ? 1e6 : 0);
+        const top = this.code.getBoundingClientRect().top, far = (one) => Math.abs(one.getBoundingClientRect().top - top);
         const on = document.querySelector('.live-window');
         if (on && this.parameter(on)) return on;
-        return [...document.querySelectorAll('live-chapter:not(.live-beside)')].filter((one) => one.checkVisibility()).sort((a, b) => far(a) - far(b))[0];
+        return [...document.querySelectorAll('live-chapter:not(.live-beside, .hands), figure-sheet')].filter((one) => one.checkVisibility() && (!isSheet(one) || this.parameter(one))).sort((a, b) => far(a) - far(b))[0];
     }
 
-    parameter(at) { return at.program?.call('live_runs') && at.program.state().parameters.find(({name}) => name === this.name); }
+    parameter(at) { return isSheet(at) ? at.parameter(this.name) : at.program?.call('live_runs') && at.program.state().parameters.find(({name}) => name === this.name); }
 
     // Set the parameter to the value that `from` returns, moved by this share of the parameter's range.
     async move(from, share) {
@@ -66,7 +67,8 @@ export class Scrub {
         this.code.setAttribute('aria-valuemin', minimum);
         this.code.setAttribute('aria-valuemax', maximum);
         this.write();
-        at.stage.call('live_set', this.name, 0, this.value);
+        if (isSheet(at)) at.set(this.name, this.value);
+        else at.stage.call('live_set', this.name, 0, this.value);
         this.keepInSight(at);
     }
 

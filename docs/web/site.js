@@ -145,7 +145,7 @@
     }
     function unfolded(fold, number) {
         const copy = fold.cloneNode(true);
-        for (const one of copy.querySelectorAll('live-chapter')) one.replaceWith(...one.querySelectorAll('.live-screen > img'));
+        for (const one of copy.querySelectorAll('live-chapter')) one.replaceWith(...one.querySelectorAll(':is(.live-screen, .sheet-screen) > img'));
         for (const one of copy.querySelectorAll('summary, form, .live-verdict')) one.remove();
         for (const one of copy.querySelectorAll('[id]')) one.removeAttribute('id');
         return [made('h4', `${number}. ${ownerOf(fold)}`), ...copy.childNodes];

@@ -14,6 +14,7 @@ import {escaped, plain} from './colour.mjs';
 import {writeFigures} from './figures.mjs';
 import {subset} from './fonts.mjs';
 import {questionsOf} from './questions.mjs';
+import {needsParts, scriptOf} from './sheets.mjs';
 import {Sources, root} from './sources.mjs';
 
 const run = promisify(execFile);
@@ -156,7 +157,8 @@ function fill(values) {
 
 function write(page, pages) {
     const list = page.sections.length > 3 ? sectionList(page) : '';
-    const alive = /<live-chapter|class="run"/.test(page.body);
+    const alive = /<live-chapter|class="run"/.test(page.body), sheets = scriptOf(page.body), script = `sheets/${page.address.replace('.html', '.js')}`;
+    if (sheets) fs.writeFileSync(`${out}/${script}`, sheets);
     const first = /<p>(.*?)<\/p>/s.exec(page.body)?.[1] ?? '';
     const words = plain(first.replace(/<math.*?<\/math>/gs, '…')).replace(/\s+/g, ' ');
     fs.writeFileSync(`${out}/${page.address}`, fill({
@@ -164,7 +166,7 @@ function write(page, pages) {
         fonts: /<math/.test(page.body) ? '\n<link rel="preload" href="fonts/formula.woff2" as="font" type="font/woff2" crossorigin>' : '',
         title: escaped(page.address === 'index.html' ? TITLE : `${page.title} · ${TITLE}`),
         description: escaped(words.length > 155 ? `${words.slice(0, words.lastIndexOf(' ', 155))} …` : words),
-        head: alive ? '\n<link rel="stylesheet" href="live.css">\n<script type="module" src="live.js"></script>' + (page.address === 'play.html' ? '\n<script type="module" src="play.js"></script>' : '') : '',
+        head: (sheets ? `\n<link rel="stylesheet" href="sheet.css">\n<script src="${script}" defer></script>${needsParts(sheets) ? '\n<script src="sheet_parts.js" defer></script>' : ''}\n<script src="sheet.js" defer></script>` : '') + (!alive ? '' : '\n<link rel="stylesheet" href="live.css">\n<script type="module" src="live.js"></script>' + (page.address === 'play.html' ? '\n<script type="module" src="play.js"></script>' : '')),
         answers: ['guess', 'question'].filter((name) => page.body.includes(`class="${name}"`)).map((name) => `<script src="${name}.js" defer></script>\n`).join(''),
         menu: list ? '<button type="button" class="menu at" popovertarget="sections">Sections</button>\n' : '',
         contents: contents(pages, page), body: page.body,
@@ -269,6 +271,7 @@ at('index.html').body = at('index.html').body.replace('<div data-insert="film"><
 at('index.html').sections = sectionsOf(at('index.html').body);
 at('play.html').body = at('play.html').body.replace('<div data-insert="play"></div>',
     drop(/<live-chapter[^>]*><img ([^>]*)>/.exec(at('01_normal_colouring.html').body)[1]));
+fs.mkdirSync(`${out}/sheets`);
 for (const page of pages) write(page, pages);
 
 for (const file of sources.texts.keys()) {

@@ -1,77 +1,46 @@
-// figures.mjs [PATTERN] - tests the interactive figures of the chapters' pages: each starts in place, and its first
-// point can be dragged. Every other figure is dragged with the mouse in a page 1440 pixels wide, the rest with a finger
-// in a page 390 pixels wide. The time until a point responds is printed but not judged. Two figures of every third
-// chapter are tested; with PATTERN, two of each chapter that matches; with ALL=1, all figures of all chapters.
-import fs from 'node:fs';
-import {blankPage, check, finish, launch, PATIENCE, serve, SITE, whole} from './browser.mjs';
+// figures.mjs [PATTERN] - tests every interactive figure in Chromium, in pages 1440 pixels wide with the mouse and 390
+// pixels wide with a finger (each_figure.mjs).
+import {blankPage, check, finish, frames, launch, serve, SITE, whole} from './browser.mjs';
+import {pagesWith, record, testFigures} from './each_figure.mjs';
 
-const pattern = new RegExp(process.argv[2] || '');
-const MOST = process.env.ALL ? Infinity : 2; // the largest number of figures tested per page
-const names = fs.readdirSync(SITE).filter((name) => /^\d\d_\w+\.html$/.test(name) && pattern.test(name)).sort()
-    .filter((_, i) => process.argv[2] || process.env.ALL || i % 3 === 0);
-const server = await serve(SITE), browser = await launch(), waits = [];
+const server = await serve(SITE), browser = await launch();
 
-const state = (page) => page.evaluate(() => {
-    const at = document.querySelector('.live-drawn'), now = at?.program?.state();
-    if (!now?.runs) return null;
-    const {left, top, width, height} = at.querySelector('.live-canvas').getBoundingClientRect();
-    return {values: JSON.stringify(now.parameters.map(({value}) => value)), middle: [left + width / 2, top + height / 2],
-        points: now.handles.map(({x, y}) => [left + x * width, top + y * height])};
-});
-async function comes(page, right) {
-    for (const begun = Date.now(); ;) {
-        const now = await state(page);
-        if (now && right(now) || Date.now() - begun > PATIENCE) return now;
-        await page.evaluate(() => new Promise(requestAnimationFrame));
-    }
+async function driverOf(page, phone) {
+    const fingers = phone && await page.context().newCDPSession(page), touch = (type, ...at) => fingers.send('Input.dispatchTouchEvent', {type, touchPoints: at.map(([x, y]) => ({x, y}))});
+    const slide = async ([x, y], [toX, toY], steps) => {
+        await touch('touchStart', [x, y]);
+        for (let i = 1; i <= steps; i++) await touch('touchMove', [x + (toX - x) * i / steps, y + (toY - y) * i / steps]);
+        await frames(page, 12); // a finger that rests before it is lifted does not throw the page
+        await touch('touchMove', [toX, toY]);
+        await touch('touchEnd');
+    };
+    return {
+        evaluate: (...all) => page.evaluate(...all),
+        drag: async (from, to) => {
+            if (phone) return slide(from, to, 6);
+            await page.mouse.move(...from);
+            await page.mouse.down();
+            await page.mouse.move(...to, {steps: 4});
+            await page.mouse.up();
+        },
+        scrolls: true,
+        key: (name) => page.keyboard.press(name),
+    };
 }
 
-// Run a figure, and drag its first point a little towards the middle of the picture. Returns what is wrong, or '' if
-// the point has moved.
-async function answers(page, figure, phone) {
-    await figure.evaluate((one) => { for (let fold = one; (fold = fold.parentElement.closest('details'));) fold.open = true; one.scrollIntoView({block: 'center', behavior: 'instant'}); });
-    await figure.locator('.live-start')[phone ? 'tap' : 'click']();
-    let now = await comes(page, ({points}) => points.length > 0);
-    if (!now?.points.length) return 'it has no point';
-    await page.evaluate(() => document.querySelector('.live-screen:has(.live-canvas)').scrollIntoView({block: 'center', behavior: 'instant'}));
-    now = await state(page);
-    const [x, y] = now.points[0], to = [x + (now.middle[0] > x ? 24 : -24), y + (now.middle[1] > y ? 16 : -16)];
-    const begun = performance.now();
-    if (phone) {
-        const fingers = await page.context().newCDPSession(page);
-        for (const [type, ...at] of [['touchStart', [x, y]], ['touchMove', to], ['touchEnd']]) await fingers.send('Input.dispatchTouchEvent', {type, touchPoints: at.map(([x, y]) => ({x, y}))});
-    } else {
-        await page.mouse.move(x, y);
-        await page.mouse.down();
-        await page.mouse.move(...to);
-        await page.mouse.up();
-    }
-    const before = now.values;
-    now = await comes(page, ({values}) => values !== before);
-    waits.push(performance.now() - begun);
-    return now.values === before ? 'its first point does not move' : '';
-}
-
-for (const name of names) {
-    const wrong = [];
-    let count = 0;
-    for (const phone of [false, true]) {
-        const {page, said} = await blankPage(browser, {context: phone ? {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true} : {viewport: {width: 1440, height: 900}}});
+const all = {count: 0, points: 0};
+for (const [width, context] of [[1440, {viewport: {width: 1440, height: 900}}], [390, {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2}]]) {
+    for (const name of pagesWith(process.argv[2])) {
+        const {page, said} = await blankPage(browser, {context, before: record});
         await page.goto(`${server.at}/${name}`);
         await whole(page);
-        const figures = page.locator('.hands');
-        count = await figures.count();
-        for (let i = phone ? 1 : 0; i < Math.min(count, MOST); i += 2) {
-            const why = await answers(page, figures.nth(i), phone);
-            if (why) wrong.push(`${await figures.nth(i).getAttribute('line')}: ${why}`);
-        }
-        wrong.push(...said);
+        const found = await testFigures(await driverOf(page, width === 390), name, `${width} pixels`, width === 390);
+        check(`${width} pixels: ${name}: the console reports no error`, said.length === 0, said);
+        for (const key of Object.keys(all)) all[key] += found[key];
         await page.close();
     }
-    check(`${name}: at least two figures respond to the pointer`, count >= 2 && wrong.length === 0, count, wrong);
 }
-waits.sort((a, b) => a - b);
-if (waits.length > 0) console.log(`# time from the press to the new value in ${waits.length} drags: median ${waits[waits.length >> 1].toFixed(0)} ms, at most ${waits.at(-1).toFixed(0)} ms; load average ${fs.readFileSync('/proc/loadavg', 'utf8').split(' ')[0]}`);
+console.log(`# ${all.count} figures in two widths, ${all.points} drags`);
 finish();
 await browser.close();
 server.close();

@@ -58,52 +58,32 @@ check('the page\'s program moves to a second picture, and the first becomes a st
 check('the console reports no error', said.length === 0, said);
 await page.close();
 
-// ---- The points of a figure ----
+// ---- A figure and its program ----
 
-const FIGURE = '.hands';
 for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
     ({page, said} = await open('index.html', {...context, bypassCSP: true}));
-    const figure = page.locator(FIGURE).first(), phone = context === PHONE;
+    const loaded = [];
+    page.on('request', (request) => loaded.push(request.url().split('/').at(-1)));
+    const figure = page.locator('.hands').first(), ball = figure.locator('[data-name=ball]'), edit = figure.locator('.sheet-edit');
     await figure.scrollIntoViewIfNeeded();
-    check(`${name}: a figure says that its points can be dragged`, await figure.locator('.live-start').textContent() === 'Drag the points');
-    await figure.locator('.live-start')[phone ? 'tap' : 'click']();
-    now = await comes(page, 's.handles.length > 2');
-    await page.evaluate(() => document.querySelector('.live-screen:has(.live-canvas)').scrollIntoView({block: 'center', behavior: 'instant'}));
-    const [x, y] = await handle(page, 'ball');
-    const fingers = phone && await page.context().newCDPSession(page), touch = (type, ...at) => fingers.send('Input.dispatchTouchEvent', {type, touchPoints: at.map(([x, y]) => ({x, y}))});
-    const scroll = await page.evaluate(() => scrollY);
-    if (phone) {
-        await touch('touchStart', [x + 8, y + 8]);
-        for (let i = 1; i <= 6; i++) await touch('touchMove', [x + 8, y + 8 + 7 * i]);
-        await touch('touchEnd');
-    } else {
-        await page.mouse.move(x, y);
-        await page.mouse.down();
-        await page.mouse.move(x + 20, y + 42, {steps: 6});
-        await page.mouse.up();
-    }
-    check(`${name}: a point follows ${phone ? 'the finger' : 'the mouse'}`, await holds(page, async () => Math.abs((await handle(page, 'ball'))[1] - y - 42) < 4), y, await handle(page, 'ball'));
-    check(`${name}: dragging a point does not scroll the page`, await page.evaluate(() => scrollY) === scroll);
-    if (phone) {
-        const box = await page.locator('.live-canvas').boundingBox(), from = [box.x + 12, box.y + box.height - 12], all = JSON.stringify((await state(page)).parameters);
-        await touch('touchStart', from);
-        for (let i = 1; i <= 12; i++) await touch('touchMove', [from[0], from[1] - 20 * i]);
-        await touch('touchEnd');
-        await page.waitForFunction((scroll) => scrollY > scroll + 50, scroll).catch(() => {});
-        check(`${name}: a swipe beside the points scrolls the page and does not move a point`, await page.evaluate(() => scrollY) > scroll + 50 && JSON.stringify((await state(page)).parameters) === all);
-    }
-    await page.evaluate(() => document.activeElement.blur());
-    await page.locator('.live-canvas').focus();
+    await page.waitForSelector('.hands .drawn');
+    const screen = await figure.locator('.sheet-screen').boundingBox();
+    await ball.focus();
+    for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowRight');
     await page.keyboard.press('Tab');
-    await page.keyboard.press('Shift+Tab');
-    now = await comes(page, 's.handles.some((one) => one.focused)');
-    const focused = now.handles.find((one) => one.focused)?.name, stood = await value(page, focused);
-    await page.keyboard.press('ArrowRight');
-    now = await comes(page, 's.parameters.find((p) => p.name === v[0]).value[0] > v[1]', focused, stood[0]);
-    check(`${name}: the keyboard can focus a point, and an arrow key moves it`, (await value(page, focused))[0] > stood[0], focused, stood);
-    for (let i = 0; i < 2; i++) await page.keyboard.press('Enter'); // the ball is the last point, so Enter first selects none, and then the first point
-    now = await comes(page, 's.handles.some((one) => one.focused && one.name !== v[0])', focused);
-    check(`${name}: pressing Enter twice selects another point`, ![undefined, focused].includes(now.handles.find((one) => one.focused)?.name));
+    const next = await page.evaluate(() => document.activeElement.className);
+    check(`${name}: the points come before the buttons when a reader presses Tab`, next === 'sheet-reset', next);
+    check(`${name}: a figure needs no program`, !loaded.some((file) => /^(harness|stage|program)/.test(file)), loaded);
+    await edit[context === PHONE ? 'tap' : 'click']();
+    await page.waitForSelector('.live-window.live-editing.live-drawn .cm-content');
+    now = await comes(page, 's.handles.length > 2');
+    const moved = await value(page, 'ball'), box = await page.locator('.live-canvas').boundingBox();
+    check(`${name}: Edit opens the figure's program with the point where the reader has moved it`, Math.abs(moved[0] + 0.29) < 1e-3, moved);
+    check(`${name}: Edit opens the figure's shader`, /uniform vec2 ball/.test(await page.locator('.cm-content').textContent()));
+    check(`${name}: the program is where the figure was`, Math.abs(box.x + box.width / 2 - screen.x - screen.width / 2) < 2 && !await figure.locator('.sheet-screen').isVisible(), box, screen);
+    await page.locator('.live-tools').getByRole('button', {name: 'Close'}).click();
+    await page.waitForSelector('.hands:not(.live-on)');
+    check(`${name}: after Close, the figure is there again, and its button has the focus`, await figure.locator('.sheet-screen').isVisible() && await page.evaluate(() => document.activeElement.className) === 'sheet-edit', await page.evaluate(() => document.activeElement.className));
     check(`${name}: the page does not scroll sideways`, await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
     check(`${name}: the console reports no error`, said.length === 0, said);
     await page.close();

@@ -93,8 +93,8 @@ function* sequence(seed, pages, begin) {
 // This runs in each page before its scripts. window.monkey finds elements and reports what `complaint` needs.
 function inPage() {
     const KINDS = {
-        near: 'button, input, summary, label, canvas, img, [tabindex], .cm-content, tr', any: 'a[href], button, input, summary, [tabindex]', canvas: '.live-canvas, .scrub, .tap, input[type=range]',
-        program: '.live-on :is(button, input, summary, canvas, [role=tab], tr, .cm-content)', start: '.live-start, button.run, form.check button, .scrub, live-chapter img', fold: 'summary',
+        near: 'button, input, summary, label, canvas, img, [tabindex], .cm-content, tr', any: 'a[href], button, input, summary, [tabindex]', canvas: '.live-canvas, .scrub, .tap, .sheet-point, input[type=range]',
+        program: '.live-on :is(button, input, summary, canvas, [role=tab], tr, .cm-content)', start: '.live-start, .sheet-edit, button.run, form.check button, .scrub, live-chapter:not(.hands) img', fold: 'summary',
         studio: '.drop :is(button, .title)', draft: '.drafts button', editor: '.cm-content, .live-on .live-iconed', search: '.search input', name: '.title',
     };
     const RESETS = /^(Reset this file|Undo all|Restore|Take the other text|Go back to the previous text|Begin with your changes.*)$/;

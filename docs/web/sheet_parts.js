@@ -1,0 +1,86 @@
+// sheet_parts.js - what only some interactive figures need: digits in the picture, textures, and points in space. A page
+// with such a figure loads this script before sheet.js.
+window.sheetParts = {
+    // Bind the digits that a shader writes itself, in the cells of shaders/signs.glsl and the font of the page.
+    bindDigits(pen, cell) {
+        const {gl} = pen;
+        gl.activeTexture(gl.TEXTURE0);
+        gl.bindTexture(gl.TEXTURE_2D, pen.digits ??= gl.createTexture());
+        if (pen.cell === cell) return;
+        const canvas = Object.assign(document.createElement('canvas'), {width: 48 * cell, height: 8 * cell}), context = canvas.getContext('2d');
+        context.font = `${7.1 * cell}px ${getComputedStyle(document.body).fontFamily}`;
+        context.fillRect(0, 0, canvas.width, canvas.height);
+        context.fillStyle = '#fff';
+        context.textAlign = 'center';
+        [...'0123456789.−'].forEach((sign, i) => context.fillText(sign, cell * (i < 10 ? 4 * i + 2 : i === 10 ? 41 : 46), 6 * cell));
+        gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, canvas);
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+        pen.cell = cell;
+    },
+
+    // Bind the textures of a figure, with the filter and the edges of common/picture/texture.c. Returns false if a file
+    // has not arrived yet; the figure is then drawn again when it has.
+    bindTextures(pen, sheet) {
+        const {gl, textures} = pen;
+        return sheet.textures.map(({name, file, srgb, repeat}, i) => {
+            let one = textures.get(file);
+            if (!one) {
+                const image = new Image();
+                textures.set(file, one = {waiting: new Set()});
+                image.onload = () => {
+                    if (textures !== pen.textures) return; // the context was lost
+                    one.texture = gl.createTexture();
+                    gl.bindTexture(gl.TEXTURE_2D, one.texture);
+                    gl.texImage2D(gl.TEXTURE_2D, 0, srgb ? gl.SRGB8_ALPHA8 : gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, image);
+                    gl.generateMipmap(gl.TEXTURE_2D);
+                    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+                    for (const axis of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, axis, repeat ? gl.REPEAT : gl.CLAMP_TO_EDGE);
+                    for (const each of one.waiting) each.ask();
+                };
+                image.src = file;
+            }
+            if (!one.texture) {
+                one.waiting.add(sheet);
+                return false;
+            }
+            gl.activeTexture(gl.TEXTURE1 + i);
+            gl.bindTexture(gl.TEXTURE_2D, one.texture);
+            gl.uniform1i(sheet.places[name], 1 + i);
+            return true;
+        }).every(Boolean);
+    },
+
+    // Find the points in space in the picture, and move the one that is dragged in the plane parallel to the screen, with
+    // Newton's method on the shader's own projection (common/picture/handles.c). A point that the reader moves stays in
+    // the picture.
+    follow(pen, sheet) {
+        const {aim, axes, canvas: {width, height}} = sheet, SMALL = 0.01;
+        // The positions of points, in units of the sheet; null if one of them is not in the picture.
+        const project = (points) => {
+            sheet.sendValues();
+            pen.gl.uniform3fv(sheet.places.sheetPoints, points.flat());
+            const found = sheet.asked(2, points.length);
+            return found.every(([seen]) => seen === 1) ? found.map(([, x, y]) => [(2 * x - width) / height, 2 * y / height - 1]) : null;
+        };
+        sheet.aim = null;
+        for (const knob of sheet.knobs.filter(({parameter}) => parameter.type === 'vec3')) {
+            const one = knob.parameter, beside = (axis) => one.value.map((x, i) => x + SMALL * axis[i]), find = () => project([one.value, beside(axes[0]), beside(axes[1])]);
+            for (let turns = aim?.one === one ? 6 : 1; turns > 0; turns--) {
+                let seen = find();
+                if (!seen && knob === document.activeElement && knob.last) {
+                    one.value = knob.last;
+                    seen = find();
+                }
+                knob.hidden = !seen;
+                if (!seen) break;
+                [knob.place] = seen;
+                knob.last = one.value;
+                if (turns === 1) break;
+                const [a, b] = [seen[1], seen[2]].map((at) => at.map((x, i) => (x - seen[0][i]) / SMALL)), by = aim.to.map((x, i) => x - seen[0][i]), area = a[0] * b[1] - a[1] * b[0];
+                const [s, t] = [(by[0] * b[1] - by[1] * b[0]) / area, (a[0] * by[1] - a[1] * by[0]) / area];
+                if (Number.isFinite(s + t)) sheet.move(one, one.value.map((x, i) => x + s * axes[0][i] + t * axes[1][i]));
+            }
+        }
+        sheet.sendValues();
+    },
+};

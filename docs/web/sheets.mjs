@@ -1,0 +1,125 @@
+// sheets.mjs - prepares the interactive figures of chapters/figures/ for a page: their elements, and the script with
+// their shaders (sheet.js).
+import {execFileSync} from 'node:child_process';
+import fs from 'node:fs';
+import {escaped} from './colour.mjs';
+import {DARK} from './figures.mjs';
+import {shrink} from './shrink.mjs';
+
+// The folder of the programs, which print the texts of the shaders.
+const PROGRAMS = process.env.PROGRAM_FOLDER || 'build';
+
+// ---- The pens ----
+
+// The colours of the pens in shaders/figure.glsl, each as GLSL for a light page and for a dark one.
+const OWN = {NIGHT: '#0d1433', CHALK: '#fffbf2', GLOW: '#fce1b8', SHADE: '#050608'}; // where figures.mjs has the colour of another pen
+const PENS = /^const vec3 (?:[A-Z]+ = vec3\([^)]*\)(?:, )?)+;$/gm;
+const hex = (numbers) => `#${numbers.map((x) => Math.round(255 * x).toString(16).padStart(2, '0')).join('')}`;
+const short = (x) => String(Number(x.toFixed(3))).replace(/^0\./, '.');
+function pensOf(text) {
+    const found = {};
+    for (const [line] of text.matchAll(PENS)) {
+        for (const [, name, numbers] of line.matchAll(/([A-Z]+) = vec3\(([^)]*)\)/g)) {
+            const light = numbers.split(',').map(Number), dark = OWN[name] ?? DARK[hex(light)];
+            if (!dark) throw new Error(`shaders/figure.glsl: ${name} is ${hex(light)}, for which docs/web/figures.mjs has no dark colour`);
+            found[name] = [light, [1, 3, 5].map((i) => parseInt(dark.slice(i, i + 2), 16) / 255)].map((colour) => colour.map(short).join());
+        }
+    }
+    return found;
+}
+const pens = pensOf(fs.readFileSync('shaders/figure.glsl', 'utf8'));
+
+// ---- Parameters ----
+
+const PARAMETER = /^(?:\(([^)]*)\)|(true|false|-?[\d.e+-]+(?:, ?-?[\d.e+-]+)*))(?: in \[([^,]+),([^\]]+)\])?(?: step (\*?)([\d.e-]+))?,?( handle\b(?: x[yz]\b)?)?,?([^:]*): (.*)$/;
+
+// The parameters that a printed shader declares, with their comments (common/shader/parameter.h).
+function parametersOf(text) {
+    return [...text.matchAll(/^uniform\s+(vec[234]|float|int|bool)\s+(\w+);\s*\/\/ (.*)$/gm)].map(([, type, name, comment]) => {
+        const [, inside, plain, low, high, multiplies, step, handle, unit, meaning] = PARAMETER.exec(comment) ?? [];
+        if (!meaning) throw new Error(`${name}: this comment is not understood: ${comment}`);
+        const value = (inside ?? plain).split(',').map((one) => type === 'bool' ? Number(one === 'true') : Number(one)), size = Number(/\d/.exec(type)?.[0] ?? 1);
+        const [minimum, maximum] = low ? [Number(low), Number(high)] : type === 'bool' ? [0, 1] : [-10, 10];
+        return {
+            name, type, value: value.length === size ? value : Array(size).fill(value[0]), minimum, maximum, multiplies: Boolean(multiplies) && minimum > 0,
+            step: Number(step) || (type === 'int' ? 1 : (maximum - minimum) / 200), handle: Boolean(handle), unit: unit.trim(), meaning,
+        };
+    });
+}
+
+const texturesOf = (text) => [...text.matchAll(/^uniform sampler2D (\w+);\s*\/\/ "([^"]+)" (sRGB|linear) (repeat|clamp)/gm)]
+    .map(([, name, file, colour, edge]) => ({name, file: `course/shaders/textures/${file}`, srgb: colour === 'sRGB', repeat: edge === 'repeat'}));
+
+// ---- A figure ----
+
+// The camera's axes, which the text contains as constants: right, up and forward.
+const axesOf = (text) => ['Right', 'Up', 'Forward'].map((name) => new RegExp(`const\\s+vec3\\s+iCamera${name} = vec3\\(([^)]*)\\)`).exec(text)[1].split(',').map(Number));
+
+// The functions of projection.glsl that find a point in space in the picture.
+const projection = () => /^\/\/ The offset from a pixel.*?(?=^#endif)/ms.exec(fs.readFileSync('shaders/projection.glsl', 'utf8'))[0];
+
+// What sheet.js needs to draw a figure.
+//   file  the shader, in chapters/figures/
+//   stem  the chapter whose camera the figure has
+function dataOf(file, stem) {
+    let text = execFileSync(`${PROGRAMS}/${stem}`, ['--root', '.', '--shader', file, '--print-shader=page'], {encoding: 'utf8'});
+    const labels = [], found = parametersOf(text), textures = texturesOf(text), inSpace = found.some(({handle, type}) => handle && type === 'vec3');
+    // A number with a label is written by the page.
+    text = text.replace(PENS, (line) => /[A-Z]+ =/.exec(line)[0].slice(0, -2) in pens ? '' : line).replace(/\bnumber\(\w[^,]*, (.*)\);\s*\/\/ (.*#.*)$/gm, (_, values, label) => `tell(${labels.push(label) - 1}, ${values});`);
+    if (inSpace) text += projection();
+    const {shader, names} = shrink(text, ['mainImage', ...(inSpace ? ['projectedPixel'] : [])], ['tell', 'iSigns', ...Object.keys(pens), ...[...found, ...textures].map(({name}) => name)]);
+    const data = {shader, parameters: found.filter(({name}) => names.has(name)), labels, textures: textures.filter(({name}) => names.has(name)), axes: inSpace && axesOf(text)};
+    return Object.fromEntries(Object.entries(data).filter(([, value]) => value && value.length !== 0));
+}
+
+const all = new Map();
+
+// The figure that a command line draws: {name, values, data}, where values are those of the line's options.
+function figureOf(stem, line) {
+    const words = line.split(' '), after = (...options) => words.flatMap((word, i) => options.includes(words[i - 1]) ? [word] : []);
+    const [file] = after('-f', '--shader'), name = file.replace(/.*\/|\.frag$/g, '');
+    if (!all.has(name)) all.set(name, dataOf(file, stem));
+    return {name, values: after('-p', '--set'), data: all.get(name)};
+}
+
+// ---- Its element ----
+
+const LINEAR = 1000; // the positions of a slider
+
+function slider(one) {
+    const {name, type, value, unit, meaning} = one, says = escaped(meaning + (unit ? `, in ${unit}` : '')), letters = /colour$/i.test(name) ? 'rgb' : 'xyz';
+    if (type === 'bool') return `<label title="${says}"><input type="checkbox" data-name="${name}" data-component="0"><code>${name}</code></label>`;
+    const most = type === 'int' ? one.maximum - one.minimum : one.multiplies ? LINEAR : Math.round((one.maximum - one.minimum) / Math.min(one.step, (one.maximum - one.minimum) / 100));
+    return value.map((_, i) => `<label title="${says}"><code>${name}${value.length > 1 ? ` ${letters[i]}` : ''}</code><input type="range" min="0" max="${most}" data-name="${name}" data-component="${i}"><output></output></label>`)
+        .slice(one.handle ? 2 : 0).join('');
+}
+
+// The element of a figure.
+//   img     the still picture
+//   inPage  the page has the program, which a button opens in the editor
+export function sheetOf(stem, line, img, inPage = true) {
+    const {name, values, data} = figureOf(stem, line), given = new Map(values.map((one) => one.split('=')));
+    const [, width, height] = /width="(\d+)" height="(\d+)"/.exec(img);
+    const points = data.parameters.filter(({handle}) => handle).map(({name, type, value}) => {
+        const [x, y] = given.get(name)?.split(',').map(Number) ?? value;
+        return `<i class="sheet-point" data-name="${name}"${type === 'vec2' ? ` style="left:${(50 + 50 * x * height / width).toFixed(2)}%;top:${(50 - 50 * y).toFixed(2)}%"` : ' style="left:50%;top:50%" hidden'}></i>`;
+    });
+    const sliders = data.parameters.filter(({handle, type}) => !handle || type === 'vec3').map(slider);
+    return `<figure-sheet name="${name}"${values.length > 0 ? ` values="${escaped(values.join(' '))}"` : ''}><div class="sheet-screen">${img}${points.join('')}</div>`
+        + `<div class="sheet-bar">${sliders.join('')}<span>${/\biTime\b/.test(data.shader) ? '<button type="button" class="sheet-play">Play</button>' : ''}<button type="button" class="sheet-reset" aria-label="Reset figure ${name}">Reset</button>`
+        + `${inPage ? '<button type="button" class="sheet-edit" aria-label="Edit figure ${name}">Edit</button>' : ''}</span></div></figure-sheet>`;
+}
+
+const namesIn = (html) => [...new Set([...html.matchAll(/<figure-sheet name="(\w+)"/g)].map(([, name]) => name))];
+
+// The names of the parameters of a page's figures that are single numbers.
+export const parametersIn = (html) => namesIn(html).flatMap((name) => all.get(name).parameters).filter(({type}) => type === 'float' || type === 'int').map(({name}) => name);
+
+// The script with the figures of a page, or '' if the page has none.
+export function scriptOf(html) {
+    const names = namesIn(html);
+    return names.length > 0 ? `sheets=${JSON.stringify({colours: pens, ...Object.fromEntries(names.map((name) => [name, all.get(name)]))})};\n` : '';
+}
+
+// Does a script contain a figure that needs sheet_parts.js?
+export const needsParts = (script) => /"textures":|"axes":|\biSigns\b/.test(script);
