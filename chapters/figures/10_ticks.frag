@@ -22,10 +22,11 @@ vec3 rayColour(Ray ray)
     dashes(p, eye, eye + FAR * direction, 1.0, PALE);
     int steps = drawMarch(p, eye, direction, FAR, 0.004, 64, t);
 
-    // The fixed steps continue to the first point inside.
+    // The fixed steps continue to the first point inside. The shortest are 0.05 long, so 81 are enough; without a limit, a
+    // step of length 0, which a page has not set yet, would never end.
     int evaluations = 1;
     float reached = 0.0;
-    while (reached < FAR && sceneDistance(vec3(eye + reached * direction, 0.0)) > 0.0) {
+    for (int i = 0; i < 81 && reached < FAR && sceneDistance(vec3(eye + reached * direction, 0.0)) > 0.0; i++) {
         reached += fixedStep;
         evaluations++;
     }
