@@ -18,8 +18,21 @@ window.sheetParts = {
         pen.cell = cell;
     },
 
-    // Bind the textures of a figure, with the filter and the edges of common/picture/texture.c. Returns false if a file
-    // has not arrived yet; the figure is then drawn again when it has.
+    // The files of the textures that have arrived, as data. Each is a script, because a page that is opened as a file may
+    // not read the pixels of another file.
+    textures: {},
+
+    // Load the file of a texture once. Returns a promise.
+    load(file) {
+        return this.scripts[file] ??= new Promise((done) => {
+            if (this.textures[file]) done();
+            else document.head.append(Object.assign(document.createElement('script'), {src: file, onload: done}));
+        });
+    },
+    scripts: {},
+
+    // Bind the textures of a figure, with the filter and the edges of common/picture/texture.c. Returns false if one has
+    // not arrived yet; the figure is then drawn again when it has.
     bindTextures(pen, sheet) {
         const {gl, textures} = pen;
         return sheet.textures.map(({name, file, srgb, repeat}, i) => {
@@ -37,7 +50,7 @@ window.sheetParts = {
                     for (const axis of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, axis, repeat ? gl.REPEAT : gl.CLAMP_TO_EDGE);
                     for (const each of one.waiting) each.ask();
                 };
-                image.src = file;
+                this.load(file).then(() => { image.src = this.textures[file]; });
             }
             if (!one.texture) {
                 one.waiting.add(sheet);
@@ -84,3 +97,6 @@ window.sheetParts = {
         sheet.sendValues();
     },
 };
+
+// The textures are large, so they are loaded after the page, and before their figures are seen.
+addEventListener('load', () => { for (const {textures = []} of Object.values(window.sheets)) for (const {file} of textures) window.sheetParts.load(file); });

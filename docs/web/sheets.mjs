@@ -2,6 +2,7 @@
 // their shaders (sheet.js).
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
+import path from 'node:path';
 import {escaped} from './colour.mjs';
 import {DARK} from './figures.mjs';
 import {shrink} from './shrink.mjs';
@@ -48,7 +49,14 @@ function parametersOf(text) {
 }
 
 const texturesOf = (text) => [...text.matchAll(/^uniform sampler2D (\w+);\s*\/\/ "([^"]+)" (sRGB|linear) (repeat|clamp)/gm)]
-    .map(([, name, file, colour, edge]) => ({name, file: `course/shaders/textures/${file}`, srgb: colour === 'sRGB', repeat: edge === 'repeat'}));
+    .map(([, name, file, colour, edge]) => ({name, file: `sheets/textures/${file.replace('.png', '.js')}`, srgb: colour === 'sRGB', repeat: edge === 'repeat'}));
+
+// The script with a texture, sheets/textures/NAME.js. Its picture is without loss, because a figure shows numbers that it
+// has computed from the texels: a loss that is hard to see moves the light of a cloud from 0.68 to 0.65.
+export function textureOf(file) {
+    const data = execFileSync('cwebp', ['-quiet', '-lossless', '-z', '6', '-exact', `shaders/textures/${path.basename(file, '.js')}.png`, '-o', '-'], {maxBuffer: 1 << 24});
+    return `sheetParts.textures["${file}"]="data:image/webp;base64,${data.toString('base64')}";\n`;
+}
 
 // ---- A figure ----
 
@@ -120,6 +128,9 @@ export function scriptOf(html) {
     const names = namesIn(html);
     return names.length > 0 ? `sheets=${JSON.stringify({colours: pens, ...Object.fromEntries(names.map((name) => [name, all.get(name)]))})};\n` : '';
 }
+
+// The scripts with the textures that all figures read.
+export const texturesIn = () => new Set([...all.values()].flatMap(({textures = []}) => textures.map(({file}) => file)));
 
 // Does a script contain a figure that needs sheet_parts.js?
 export const needsParts = (script) => /"textures":|"axes":|\biSigns\b/.test(script);

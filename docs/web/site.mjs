@@ -14,7 +14,7 @@ import {escaped, plain} from './colour.mjs';
 import {writeFigures} from './figures.mjs';
 import {subset} from './fonts.mjs';
 import {questionsOf} from './questions.mjs';
-import {needsParts, scriptOf} from './sheets.mjs';
+import {needsParts, scriptOf, textureOf, texturesIn} from './sheets.mjs';
 import {Sources, root} from './sources.mjs';
 
 const run = promisify(execFile);
@@ -271,8 +271,9 @@ at('index.html').body = at('index.html').body.replace('<div data-insert="film"><
 at('index.html').sections = sectionsOf(at('index.html').body);
 at('play.html').body = at('play.html').body.replace('<div data-insert="play"></div>',
     drop(/<live-chapter[^>]*><img ([^>]*)>/.exec(at('01_normal_colouring.html').body)[1]));
-fs.mkdirSync(`${out}/sheets`);
+fs.mkdirSync(`${out}/sheets/textures`, {recursive: true});
 for (const page of pages) write(page, pages);
+for (const file of texturesIn()) fs.writeFileSync(`${out}/${file}`, textureOf(file));
 
 for (const file of sources.texts.keys()) {
     const address = `source/${file}.html`;

@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import {check, PATIENCE, SITE} from './browser.mjs';
 
 // The pages with figures whose names match a pattern.
-export const pagesWith = (pattern) => fs.readdirSync(`${SITE}/sheets`).map((name) => name.replace('.js', '.html')).filter((name) => new RegExp(pattern || '').test(name)).sort();
+export const pagesWith = (pattern) => fs.readdirSync(`${SITE}/sheets`).filter((name) => name.endsWith('.js')).map((name) => name.replace('.js', '.html')).filter((name) => new RegExp(pattern || '').test(name)).sort();
 
 // Run these in a page before its scripts, and in a page.
 export function record() {
