@@ -13,7 +13,7 @@ function Meta(meta)
     page = pandoc.utils.stringify(meta.page)
 end
 
-local first = true
+local first, headings = true, {}
 
 local function header(element)
     element.identifier = first and anchor(page, '') or anchor(page, element.identifier)
@@ -23,8 +23,8 @@ end
 
 local function link(element)
     local kind, file, id = pages.target(element.target)
-    if kind == 'file' then
-        return element.content -- the link's text contains the file's name
+    if kind == 'file' or (kind == 'here' and not headings[id]) then
+        return element.content -- the text contains the file's name, or lights a point of a figure of the site
     elseif kind ~= 'outside' then
         element.target = '#' .. anchor(kind == 'here' and page or file, id)
     end
@@ -184,6 +184,9 @@ local function unfolded(blocks)
 end
 
 function Pandoc(document)
+    pandoc.walk_block(pandoc.Div(document.blocks), {Header = function(element)
+        headings[element.identifier] = true
+    end})
     local blocks = pandoc.walk_block(pandoc.Div(unfolded(document.blocks)), {
         Header = header, Link = link, Para = paragraph, Image = picture, RawBlock = raw, RawInline = raw, Str = pages.str, Table = table_widths,
         Code = pages.code, CodeBlock = block, Math = formula,

@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import {coloured, escaped, plain, sizeOf} from './colour.mjs';
 import {commandOf, isCommand, isFigure, piecesOf, pictureOf as commandOfPicture} from './commands.mjs';
-import {parametersIn, sheetOf} from './sheets.mjs';
+import {parametersIn, sheetOf, valuesIn} from './sheets.mjs';
 
 export const read = (file) => fs.readFileSync(file, 'utf8');
 const temml = (await import(new URL('../../build/node/node_modules/temml/dist/temml.mjs', import.meta.url))).default;
@@ -230,6 +230,14 @@ const links = (html, sources) => html.replace(/<a href="source:([^"#]*)(#[^"]*)?
     return address ? `<a href="${address}"${more}>${text}</a>` : text;
 });
 
+// A link to a point of a figure on the page, [the ball](#ball), becomes a word that lights the point, and a link with a
+// value, [12 steps](#most=12), one that sets a parameter.
+function words(html) {
+    const known = new Set(valuesIn(html)), ids = new Set([...html.matchAll(/\sid="([^"]*)"/g)].map(([, id]) => id));
+    return html.replace(/<a href="#(\w+)(?:=([-\w.,]+))?">(.*?)<\/a>/gs, (whole, name, value, text) => ids.has(name) || !known.has(name) ? whole
+        : `<button type="button" class="sheet-word" data-name="${name}"${value ? ` data-value="${value}"` : ''}>${text}</button>`);
+}
+
 // The body of a page from pandoc's HTML.
 //   stem      the stem of the page's chapter; undefined if the page does not belong to a chapter
 //   sources   the pages that show files of the project (sources.mjs)
@@ -237,7 +245,7 @@ const links = (html, sources) => html.replace(/<a href="source:([^"#]*)(#[^"]*)?
 export function bodyOf(html, {stem, sources, pictures}) {
     html = inline(blocks(formulas(html), sources));
     if (stem) html = live(guesses(html, stem, pictures), stem, pictures);
-    html = links(images(html, pictures), sources);
+    html = words(links(images(html, pictures), sources));
     if (stem) html = scrubs(html, new Set([...parametersOf(stem), ...parametersIn(html)]));
     html = tables(html).replaceAll(' />', '>');
     // Third-level headings above the first section become small second-level headings, so that no level is skipped.

@@ -106,13 +106,6 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
     const written = (value, decimals) => (decimals === undefined ? String(Number(value.toPrecision(3))) : (Math.floor(value * 10 ** decimals + 0.5) / 10 ** decimals).toFixed(decimals)).replace('-', '−');
 
     class Sheet extends HTMLElement {
-        // The figure nearest to an element among those with a parameter or a point of this name.
-        static nearest(to, name) {
-            const middle = (one) => { const {top, bottom} = one.getBoundingClientRect(); return (top + bottom) / 2; }, at = middle(to);
-            return [...document.querySelectorAll('figure-sheet')].filter((one) => one.parameter(name) && one.checkVisibility())
-                .sort((a, b) => Math.abs(middle(a) - at) - Math.abs(middle(b) - at))[0];
-        }
-
         connectedCallback() {
             if (this.parameters) return; // the element was only moved
             const {shader, parameters, labels = [], textures, axes} = figures[this.getAttribute('name')];
@@ -374,20 +367,4 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
         }
     }
     customElements.define('figure-sheet', Sheet);
-
-    // ---- Sentences ----
-
-    // A button in a sentence lights a point of the nearest figure, or sets one of its parameters.
-    for (const button of document.querySelectorAll('button.sheet-word')) {
-        const {name, value} = button.dataset, sheet = () => Sheet.nearest(button, name);
-        if (value === undefined) {
-            for (const [event, on] of [['pointerenter', true], ['focus', true], ['pointerleave', false], ['blur', false]]) button.addEventListener(event, () => sheet()?.light(name, on));
-        }
-        button.addEventListener('click', () => {
-            const at = sheet();
-            value?.split(',').forEach((part, i) => at?.set(name, part === 'true' ? 1 : Number(part) || 0, i));
-            at?.screen.scrollIntoView({block: 'nearest', behavior: calm.matches ? 'instant' : 'smooth'});
-            at?.light(name, value === undefined);
-        });
-    }
 })();

@@ -1,5 +1,5 @@
-// sheet_parts.js - what only some interactive figures need: digits in the picture, textures, and points in space. A page
-// with such a figure loads this script before sheet.js.
+// sheet_parts.js - what only some pages with interactive figures need: digits in the picture, textures, points in space,
+// and words that light a point. Such a page loads this script before sheet.js.
 window.sheetParts = {
     // Bind the digits that a shader writes itself, in the cells of shaders/signs.glsl and the font of the page.
     bindDigits(pen, cell) {
@@ -100,3 +100,18 @@ window.sheetParts = {
 
 // The textures are large, so they are loaded after the page, and before their figures are seen.
 addEventListener('load', () => { for (const {textures = []} of Object.values(window.sheets)) for (const {file} of textures) window.sheetParts.load(file); });
+
+// ---- Words ----
+
+// A word in a sentence lights a point of the nearest figure that has it, or sets one of the figure's parameters.
+for (const word of document.querySelectorAll('.sheet-word')) {
+    const {name, value} = word.dataset, middle = (one) => { const {top, bottom} = one.getBoundingClientRect(); return (top + bottom) / 2; }, far = (one) => Math.abs(middle(one) - middle(word));
+    const sheet = () => [...document.querySelectorAll('figure-sheet')].filter((one) => one.parameter(name) && one.checkVisibility()).sort((a, b) => far(a) - far(b))[0];
+    if (value === undefined) for (const [event, on] of [['pointerenter', true], ['focus', true], ['pointerleave', false], ['blur', false]]) word.addEventListener(event, () => sheet()?.light(name, on));
+    word.addEventListener('click', () => {
+        const at = sheet();
+        at?.screen.scrollIntoView({block: 'nearest', behavior: matchMedia('(prefers-reduced-motion: reduce)').matches ? 'instant' : 'smooth'});
+        if (value === undefined) at?.light(name, true);
+        else value.split(',').forEach((part, i) => at?.set(name, part === 'true' ? 1 : Number(part) || 0, i));
+    });
+}

@@ -120,8 +120,10 @@ export function sheetOf(stem, line, img, inPage = true) {
 
 const namesIn = (html) => [...new Set([...html.matchAll(/<figure-sheet name="(\w+)"/g)].map(([, name]) => name))];
 
-// The names of the parameters of a page's figures that are single numbers.
-export const parametersIn = (html) => namesIn(html).flatMap((name) => all.get(name).parameters).filter(({type}) => type === 'float' || type === 'int').map(({name}) => name);
+// The names of the parameters and points of a page's figures, and of those that are single numbers.
+const valuesOf = (html) => namesIn(html).flatMap((name) => all.get(name).parameters);
+export const valuesIn = (html) => valuesOf(html).map(({name}) => name);
+export const parametersIn = (html) => valuesOf(html).filter(({type}) => type === 'float' || type === 'int').map(({name}) => name);
 
 // The script with the figures of a page, or '' if the page has none.
 export function scriptOf(html) {
@@ -132,5 +134,6 @@ export function scriptOf(html) {
 // The scripts with the textures that all figures read.
 export const texturesIn = () => new Set([...all.values()].flatMap(({textures = []}) => textures.map(({file}) => file)));
 
-// Does a script contain a figure that needs sheet_parts.js?
-export const needsParts = (script) => /"textures":|"axes":|\biSigns\b/.test(script);
+// Does a page need sheet_parts.js?
+//   script  the script with the page's figures
+export const needsParts = (html, script) => /class="sheet-word"/.test(html) || /"textures":|"axes":|\biSigns\b/.test(script);

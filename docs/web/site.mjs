@@ -166,7 +166,7 @@ function write(page, pages) {
         fonts: /<math/.test(page.body) ? '\n<link rel="preload" href="fonts/formula.woff2" as="font" type="font/woff2" crossorigin>' : '',
         title: escaped(page.address === 'index.html' ? TITLE : `${page.title} · ${TITLE}`),
         description: escaped(words.length > 155 ? `${words.slice(0, words.lastIndexOf(' ', 155))} …` : words),
-        head: (sheets ? `\n<link rel="stylesheet" href="sheet.css">\n<script src="${script}" defer></script>${needsParts(sheets) ? '\n<script src="sheet_parts.js" defer></script>' : ''}\n<script src="sheet.js" defer></script>` : '') + (!alive ? '' : '\n<link rel="stylesheet" href="live.css">\n<script type="module" src="live.js"></script>' + (page.address === 'play.html' ? '\n<script type="module" src="play.js"></script>' : '')),
+        head: (sheets ? `\n<link rel="stylesheet" href="sheet.css">\n<script src="${script}" defer></script>${needsParts(page.body, sheets) ? '\n<script src="sheet_parts.js" defer></script>' : ''}\n<script src="sheet.js" defer></script>` : '') + (!alive ? '' : '\n<link rel="stylesheet" href="live.css">\n<script type="module" src="live.js"></script>' + (page.address === 'play.html' ? '\n<script type="module" src="play.js"></script>' : '')),
         answers: ['guess', 'question'].filter((name) => page.body.includes(`class="${name}"`)).map((name) => `<script src="${name}.js" defer></script>\n`).join(''),
         menu: list ? '<button type="button" class="menu at" popovertarget="sections">Sections</button>\n' : '',
         contents: contents(pages, page), body: page.body,

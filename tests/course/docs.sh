@@ -78,6 +78,17 @@ has_anchor() { # PAGE ANCHOR
     grep -q -x -F -e "$2" "$kept"
 }
 
+# True if a figure of a page has a point, or a parameter to which a link gives a value: #ball, #most=12.
+has_value() { # PAGE NAME[=VALUE]
+    local picture stem what file
+    grep -o '[0-9][0-9]_[a-z_]*-figure-[a-z_-]*\.png' "$1" | sort -u | while read -r picture; do
+        stem=${picture%%-*} what=${picture#*-}
+        awk -v stem="$stem" -v what="${what%.png}" '$1 == stem && $2 == what { for (i = 3; i < NF; i++) if ($i == "-f") print $(i + 1) }' tests/pictures/images.txt
+    done | sort -u | while read -r file; do
+        grep -q "^uniform  *[a-z0-9]*  *${2%%=*};" "$file" && echo found
+    done | grep -q found
+}
+
 # ---- Checks of a page: each function prints one line for each mistake ----
 
 bad_links() { # PAGE
@@ -89,8 +100,8 @@ bad_links() { # PAGE
         [ -z "$path" ] || file=$folder/$path
         if [ ! -e "$file" ]; then
             echo "$1:$line: $target does not exist"
-        elif [[ $target == *#* && $file == *.md ]] && ! has_anchor "$file" "${target#*#}"; then
-            echo "$1:$line: $target: no heading has this anchor"
+        elif [[ $target == *#* && $file == *.md ]] && ! has_anchor "$file" "${target#*#}" && ! { [ -z "$path" ] && has_value "$1" "${target#*#}"; }; then
+            echo "$1:$line: $target: no heading has this anchor, and no figure of the page has such a point or parameter"
         fi
     done
 }
@@ -421,6 +432,8 @@ refuses() {
 check_checks() {
     local probe='build/01_normal_colouring --probe 320,180'
     refuses 'an anchor without a heading' $'# One two\n[a](#one-two) [b](#one-three)' bad_links
+    refuses 'a word that lights no point' $'![a](../tests/references/01_normal_colouring-figure-march.png)\n[a](#eye) [b](#nose)' bad_links
+    refuses 'a value for no parameter' $'![a](../tests/references/00_first_scene-figure-march.png)\n[a](#most=12) [b](#least=12)' bad_links
     refuses 'a picture that no test renders' '![a](../tests/references/gone.png)' bad_pictures
     refuses 'an exercise without a solution' "$(sed '0,/<summary>Solution/s//<summary>Hint/' docs/03_shadows.md)" bad_exercises
     refuses 'a question without an answer' '*Predict.* Why?' bad_folds

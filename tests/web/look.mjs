@@ -43,7 +43,7 @@ async function onPaper(page) {
         const dark = all('main :is(p, h1, img, figcaption)').filter((one) => getComputedStyle(one).colorScheme !== 'light' || /rgb\((1[5-9]|2\d)\d/.test(getComputedStyle(one).color));
         const folds = document.querySelectorAll('main details:not(.question *)').length, end = main.lastElementChild;
         const told = folds === 0 ? end.matches('section') : end.querySelectorAll('h4').length !== folds || all('main details > :not(summary)').length > 0 || all('main > section:last-child > :not(h2, h3, h4)').length < folds;
-        const left = [...says('seen', all('button, form, nav, input, .top, .foot')), ...says('cut', wide), ...says('dark', dark), ...(told ? [`folds: ${folds}`] : [])];
+        const left = [...says('seen', all('button:not(.sheet-word), form, nav, input, .top, .foot')), ...says('cut', wide), ...says('dark', dark), ...(told ? [`folds: ${folds}`] : [])];
         dispatchEvent(new Event('afterprint'));
         return main.lastElementChild === end && folds > 0 ? [...left, 'after printing, the answers are still at the end'] : left;
     });

@@ -146,6 +146,8 @@ const texts = [...weights].sort((a, b) => b.raw - a.raw);
 console.log(`# the largest pages without scripts and styles, uncompressed: ${texts.slice(0, 3).map((one) => `${one.name} ${kilo(one.raw)} KB`).join(', ')}`);
 check('no page has more than 150 KB of HTML, uncompressed', texts[0].raw <= 150e3, texts[0]);
 check('no page has more than 150 KB with its scripts and styles, compressed', weights[0].sent <= 150e3, weights[0]);
+const alive = ['01_normal_colouring.html', 'sheets/01_normal_colouring.js', 'sheet.js'].reduce((total, name) => total + weight(name), 0);
+check('page 01 with its five figures has at most 42 KB, compressed', alive <= 42e3, alive);
 const module = ['harness.wasm', 'harness.js', 'program.js', 'stage.js', 'live.js', 'values.js', 'ray.js', 'course.json'].filter((name) => files.has(name));
 const sum = module.reduce((total, name) => total + weight(name), 0);
 console.log(`# size of the files that a click on Run loads: ${kilo(sum)} KB compressed`);
