@@ -187,7 +187,7 @@ function Pandoc(document)
     pandoc.walk_block(pandoc.Div(document.blocks), {Header = function(element)
         headings[element.identifier] = true
     end})
-    local blocks = pandoc.walk_block(pandoc.Div(unfolded(document.blocks)), {
+    local blocks = pandoc.walk_block(pandoc.Div(unfolded(pages.captioned(document.blocks))), {
         Header = header, Link = link, Para = paragraph, Image = picture, RawBlock = raw, RawInline = raw, Str = pages.str, Table = table_widths,
         Code = pages.code, CodeBlock = block, Math = formula,
     }).content

@@ -112,15 +112,16 @@ function keys(    command, line, rows, listed, key, meaning)
     return rows == "" ? "" : "| key | what it does |\n| --- | --- |\n" rows
 }
 
-# The reading time of the page, at 200 words of the story or 100 words of the proofs per minute.
+# The time for the page, at 200 words of the story or 100 words of the proofs per minute: first without and then with
+# the minutes that words.awk gives for figures, questions, formulas and listings.
 function time(    command, line, word)
 {
     command = "awk -f .make/words.awk \"" page "\""
     command | getline line
     close(command)
     split(line, word, " ")
-    return "**Time.** The story takes about " minutes(word[1], 200) " minutes to read" \
-        (word[2] ? ", the proofs " minutes(word[2], 100) " more" : "") ".\n"
+    return "**Time.** " minutes(word[1], 200) " minutes to read, " minutes(word[1] + 200 * word[3], 200) \
+        " with its figures and questions" (word[2] ? ", and " minutes(word[2], 100) " more for the proofs" : "") ".\n"
 }
 
 # ---- The page ----

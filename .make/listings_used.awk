@@ -3,7 +3,7 @@
 # not generated must not be a copy of a source, because it would become outdated. Variables:
 #
 #   sources  the files that a block may have been copied from, separated by spaces
-#   library  the files whose functions and structs must all be listed on some page; may be empty
+#   library  the files whose functions and structs must all be listed or linked on some page; may be empty
 
 function fail(where, text)
 {
@@ -21,6 +21,24 @@ function note_spoken(line,    part, word, n, m, i, k)
         m = split(part[i], word, /[^A-Za-z0-9_.]+/)
         for (k = 1; k <= m; k++)
             spoken[word[k]] = 1
+    }
+}
+
+# A link such as [`heightStretch`](../shaders/transform.glsl) counts as the listing of a function of a few lines. The
+# source must define the name.
+function note_linked(line,    part, file)
+{
+    while (match(line, /\[`[A-Za-z0-9_]+`\]\([^)#]*\.(glsl|frag|c|h)/)) {
+        split(substr(line, RSTART + 2, RLENGTH - 2), part, /`\]\(/)
+        file = part[2]
+        if (!sub(/^\.\.\//, "", file) && match(page, /.*\//))
+            file = substr(page, 1, RLENGTH) file
+        line = substr(line, index(line, part[2]) + length(part[2]))
+        read_source(file)
+        if ((file, part[1]) in definitions)
+            listed[file, part[1]] = 1
+        else
+            fail(page ":" FNR, "a link names `" part[1] "`, which " file " does not define")
     }
 }
 
@@ -110,6 +128,7 @@ fenced {
 {
     marked = 0
     note_spoken($0)
+    note_linked($0)
 }
 
 END {

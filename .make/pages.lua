@@ -20,13 +20,36 @@ function pages.target(target)
     return 'file', file:match('^%.%./(.*)$') or 'docs/' .. file, id
 end
 
--- The picture of a paragraph that contains nothing else, or nil. Its alternative text becomes the caption.
+-- The only inline of a paragraph if it has the given kind, or nil.
+local function only(block, kind)
+    local inline = block and block.t == 'Para' and #block.content == 1 and block.content[1]
+    return inline and inline.t == kind and inline or nil
+end
+
+-- The picture of a paragraph that contains nothing else, or nil. Its caption is the alternative text, unless
+-- pages.captioned has found another.
 function pages.figure(paragraph)
-    local image = #paragraph.content == 1 and paragraph.content[1]
-    if image and image.t == 'Image' then
+    local image = only(paragraph, 'Image')
+    if image then
         image.title = 'fig:' .. image.title
         return image
     end
+end
+
+-- The blocks of a page, in which each line of emphasised text below a picture has become the caption of the picture.
+function pages.captioned(blocks)
+    local kept = {}
+    for _, block in ipairs(blocks) do
+        local image, line = only(kept[#kept], 'Image'), only(block, 'Emph')
+        if image and line then
+            image.attributes.alt = pandoc.utils.stringify(image.caption)
+            image.caption = line.content
+            kept[#kept] = pandoc.Para({image})
+        else
+            table.insert(kept, block)
+        end
+    end
+    return kept
 end
 
 -- True for a diagram in Mermaid, which is only for GitHub; the table before it contains the same information.

@@ -67,7 +67,7 @@ local function neighbours(blocks)
 end
 
 function Pandoc(document)
-    local blocks = pandoc.walk_block(pandoc.Div(neighbours(document.blocks)), {
+    local blocks = pandoc.walk_block(pandoc.Div(neighbours(pages.captioned(document.blocks))), {
         Link = link, Para = paragraph, CodeBlock = block, RawBlock = raw, RawInline = raw, Inlines = french,
     }).content
     return pandoc.Pandoc(blocks, pandoc.Meta({}))

@@ -60,10 +60,10 @@ async function pagesOf(names) {
     return pages;
 }
 
-// The note below a chapter's program. It is needed because the page speaks of a terminal, which a reader may not have.
+// The note below a chapter's first command. It is needed because the page speaks of a terminal, which a reader may not have.
 const HERE_TOO = '<p class="note">You need no terminal on this page: <b>Run</b> runs the command beside it, a picture becomes a running program when you click or tap it, and <b>Edit</b>, below the program, opens its shader. '
     + '<a href="pages.html">How these pages work</a></p>';
-const hinted = (page) => page.stem ? page.body.replace(/<\/live-chapter>(?:\s*<div class="commands">.*?<\/button><\/div><\/div>)?/s, (program) => `${program}\n${HERE_TOO}`) : page.body;
+const hinted = (page) => page.stem ? page.body.replace(/<\/live-chapter>(?:(?:(?!<h2).)*?<div class="commands">.*?<\/button><\/div><\/div>)?/s, (program) => `${program}\n${HERE_TOO}`) : page.body;
 
 // ---- Proofs ----
 

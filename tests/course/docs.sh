@@ -205,15 +205,34 @@ bad_folds() { # PAGE
         END { judge(); if (open) print "line " open ": a fold is not closed" }' "$1"
 }
 
-# A chapter's page has all its parts in order, and its story (the text before the parameters) has at most 4000 words.
+# The pages that have not been written in the form of the others yet: they begin with the summary that should end their
+# story. This list may only become shorter.
+unwritten=' 00 01 02 03 04 05 06 07 08 09 10 11 12 13 14 15 16 17 18 19 20 21 22 23 '
+
+# A chapter's page has all its parts in order. Its story (the text before the parameters) has at most 4000 words, of
+# which at most 300 come before the first figure to drag, and at most three listings below 'From formula to code'.
 bad_form() { # PAGE
-    local wanted=''
+    local wanted='' name=${1##*/} of_story
     grep -q '^### In short$' "$1" || echo "has no section 'In short'"
     grep -q '^<!-- time -->$' "$1" || echo "has no reading time"
-    wanted='From formula to code,What changed,Parameters,Experiments,Exercises,Proofs,What the report does,Pitfalls,Sources,'
+    wanted='What to remember,From formula to code,What changed,Parameters,Experiments,Exercises,Proofs,What the report does,Pitfalls,Sources,'
     ! grep -q '^## What the workshop does$' "$1" || wanted=${wanted/report/workshop}
     ! grep -q '^## What the article does$' "$1" || wanted=${wanted/report/article}
-    [[ $1 != */00_* ]] || wanted='Experiments,Exercises,'
+    [[ $name != 00_* ]] || wanted='What to remember,Experiments,Exercises,'
+    read -r -a of_story < <(awk -f .make/words.awk "$1")
+    [ "${of_story[0]}" -le 4000 ] || echo "its story has ${of_story[0]} words; at most 4000 are allowed"
+    if [[ $unwritten == *" ${name%%_*} "* ]]; then
+        ! grep -q '^## What to remember$' "$1" || echo "has the form of a page; remove it from 'unwritten' in tests/course/docs.sh"
+        wanted=${wanted#What to remember,}
+    else
+        ((of_story[3] >= 0 && of_story[3] <= 300)) || echo "has no figure to drag among the first 300 words"
+        awk '/^## / { code = /^## From formula to code/; if (/^## Parameters/) exit }
+            code && /^<!-- code:/ { n++ }
+            END { if (n > 3) print "has " n " listings below From formula to code; at most 3 are allowed" }' "$1"
+        awk '/^## What to remember/ { found = 1 } /^### (In short|L.essentiel)/ && !found { print $0 " comes before What to remember" }' "$1"
+        bad_captions "$1"
+        crowded "$1"
+    fi
     awk -v wanted="$wanted" '
         /^ *```/ { fenced = !fenced }
         !fenced && /^## / {
@@ -224,7 +243,49 @@ bad_form() { # PAGE
             }
         }
         END { if (wanted != "") print "these parts are missing or out of order: " wanted }' "$1"
-    awk -f .make/words.awk "$1" | awk '$1 > 4000 { print "its story has " $1 " words; at most 4000 are allowed" }'
+}
+
+# A picture that is a paragraph by itself has a caption below it: one line of emphasised text. Only the first picture of
+# a page needs none, because the story begins below it.
+bad_captions() { # PAGE
+    awk '
+        function judge() { if (bare) print "line " bare ": the picture has no caption below it"; bare = 0 }
+        /^ *```/ { fenced = !fenced }
+        bare && FNR > bare + 1 { if (/^[*][^*].*[^*][*]$/ && !/^[*]Predict/) bare = 0; judge() }
+        !fenced && /^!\[.*\)$/ && pictures++ { bare = FNR }
+        END { judge() }' "$1"
+}
+
+# Print the paragraphs of a story with more than twelve numbers. A point in brackets or a formula counts as one number,
+# and the number of a chapter, section or key as none.
+crowded() { # PAGE
+    awk '
+        function numbers(text,    part, n, i) {
+            gsub(/`[^`]*`|\]\([^)]*\)|[$][$][^$]*[$][$]/, " ", text)
+            gsub(/([Cc]hapter|[Ss]ection|[Ff]igure|[Pp]roof|[Ee]xercise|[Ee]xperiment|[Kk]ey)s? [0-9.]+( (to|and) [0-9.]+)?/, " ", text)
+            n = split(text, part, "$")
+            text = ""
+            for (i = 1; i <= n; i++) {
+                if (i % 2 == 0) {
+                    gsub(/[_^](\{[^}]*\}|.)|frac *[0-9][0-9]/, "", part[i])
+                    part[i] = part[i] ~ /[0-9]/ ? " 1 " : " "
+                }
+                text = text part[i]
+            }
+            gsub(/\([-0-9., °]+\)/, " 1 ", text)
+            return gsub(/[0-9]+([.,][0-9]+)*/, "", text)
+        }
+        function judge(    n) {
+            n = numbers(paragraph)
+            if (n > 12) print "line " begun ": a paragraph with " n " numbers; at most 12 are allowed"
+            paragraph = ""
+        }
+        /^## (Parameters|Experiments|Exercises)/ { exit }
+        /^ *```/ { fenced = !fenced }
+        fenced || /^( *```|[|]|#|!|<|>|- |$|[*][*]Time)/ { judge() }
+        fenced || /^( *```|[|]|#|!|<|>|$|[*][*]Time)/ { next }
+        { if (paragraph == "") begun = FNR; paragraph = paragraph " " $0 }
+        END { judge() }' "$1"
 }
 
 # matches PAGE READER PATTERN [i]: prints the first three matching lines of READER's output for the page; i ignores
@@ -415,7 +476,7 @@ check_pages() {
         judge "docs/$stem.md: its exercises have checks, hints and solutions" "$(bad_exercises "docs/$stem.md")"
         judge "docs/$stem.md: its folds have the usual form, and each question has its answer" \
             "$(bad_folds "docs/$stem.md")"
-        judge "docs/$stem.md: has the parts of a page, and a story of at most 4000 words" "$(bad_form "docs/$stem.md")"
+        judge "docs/$stem.md: has the form of a page" "$(bad_form "docs/$stem.md")"
     done
 }
 
@@ -437,7 +498,16 @@ check_checks() {
     refuses 'a picture that no test renders' '![a](../tests/references/gone.png)' bad_pictures
     refuses 'an exercise without a solution' "$(sed '0,/<summary>Solution/s//<summary>Hint/' docs/03_shadows.md)" bad_exercises
     refuses 'a question without an answer' '*Predict.* Why?' bad_folds
-    refuses 'parts out of order' "$(sed 's/^## Proofs/## Lemmas/' docs/01_normal_colouring.md)" bad_form
+    judge 'the page of a new chapter has the form of a page' "$(bad_form .make/chapter/chapter.md)"
+    refuses 'parts out of order' "$(sed 's/^## Proofs/## Lemmas/' .make/chapter/chapter.md)" bad_form
+    refuses 'a summary before its story' "$(sed 's/^### In short/&\n/; s/^!\[/### In short\n\n&/' .make/chapter/chapter.md)" bad_form
+    refuses 'no figure among its first words' "$(sed '/^make run FIGURE/d' .make/chapter/chapter.md)" bad_form
+    refuses 'more than three listings in a row' "$(sed '/^<!-- code:/{p;p;p}' .make/chapter/chapter.md)" bad_form
+    refuses 'a story of more than 4000 words' "$(sed "/^## 1/s/\$/\n\n$(printf 'word %.0s' {1..4000})/" .make/chapter/chapter.md)" bad_form
+    refuses 'a picture without a caption' $'![a](a.png)\n\n![b](b.png)\n\n*Predict.* Why?' bad_captions
+    refuses 'thirteen numbers in a paragraph' '1 2 3 4 5 6 7 8 (9, 10) $11$ and $x_0 = 12$ or 13 and 14, not `16` or $x^2$' crowded
+    printf '1 2 3 4 5 6 7 8 (9, 10) $11$ and $x_0 = 12$ or 13, not `16` or $x^2$\n\n' >"$scratch/twelve.md"
+    judge 'twelve numbers in a paragraph are accepted' "$(crowded "$scratch/twelve.md")"
     refuses 'angle brackets for a product' '$\langle a, b \rangle$' bad_notation
     refuses 'a phrase that is always wrong' 'a mean in place of a sum' bad_phrases
     refuses 'a short option' "\`build/${chapters[0]} -t 2\`" bad_options
@@ -508,6 +578,11 @@ check_tool() {
     sed -i.before 's/return p.x/return p.y/' "$source"
     check 'a source that changed fails --check' fails "$page" ':1: differs' --check
 
+    printf '<!-- time -->\n%s\n\n*Predict.* Why?\n\n$$x =\n1$$\n\n## Exercises\n\n## Proofs\n\n%s\n' \
+        "$(printf 'word $x + y$ %.0s' {1..900})" "$(printf 'word %.0s' {1..101})" >"$page"
+    check 'a missing time is written' rewrites "$page"
+    check 'the time follows from words, questions and formulas' grep -q -x \
+        '[*][*]Time[.][*][*] 10 minutes to read, 15 with its figures and questions, and 5 more for the proofs[.]' "$page"
     printf '<!-- parameters: 99_nothing -->\n' >"$page"
     check 'a table of parameters of an unknown program fails' fails "$page" 'make first'
 }
@@ -543,6 +618,11 @@ check_use() {
     check 'a function and a struct that no page shows are found' test "$(unlisted "$source EDGE" |
         sed 's/.*: the //' | tr '\n' ',')" = \
         "$(printf '%s is on no page,' 'struct Pair' 'function once' 'function twice' 'function twice')"
+    check 'a link that names a function counts as its listing' test -z "$(
+        printf '[`once`](../%s) [`Pair`](../%s) [`twice`](../%s)\n' "$source" "$source" "$source" >"$scratch/used.md"
+        awk -v library="$source" -f .make/source.awk -f .make/listings_used.awk "$scratch/used.md" 2>&1
+    )"
+    unused 'a link that names a function of another file' ':1: a link names `thrice`' "[\`thrice\`](../$source)\n"
 }
 
 if [ $# != 0 ]; then
