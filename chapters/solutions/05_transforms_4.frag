@@ -1,7 +1,7 @@
 // Solution to exercise 05.4: a bound for one ray. Along a direction D, the height above the water
 // falls by at most |D.y| + slope |(D.x, D.z)| per scene unit. For a ray that grazes the sea, this
-// is less than sqrt(1 + slope^2), so the steps are longer but still safe. Only the direction of the
-// first march's ray is known here.
+// is less than sqrt(1 + slope^2), so the steps are longer but still safe. The second march keeps the
+// bound for every direction.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #define pixelRay chapterPixelRay
