@@ -2,8 +2,8 @@
 # experiments or exercises, whichever come first), those of its proofs, the minutes that a reader of the story spends on
 # other things than words, and the number of the story's words above its first figure that can be dragged (-1 if there
 # is none). The minutes are one for each figure, each question and each thing to try, and a half for each displayed
-# formula and each listing. Words are counted in prose only: not in listings, tables, pictures, comments or folds, and
-# not in the French summary. A formula inside a sentence counts as one word, a displayed formula as none.
+# formula and each listing. Words are counted in prose only: not in listings, tables, pictures, captions, comments or
+# folds, and not in the French summary. A formula inside a sentence counts as one word, a displayed formula as none.
 
 # A line without its formulas: x replaces each one that begins inside a sentence. sign is the sign that ends the formula
 # in which the line begins, or "".
@@ -27,7 +27,7 @@ part == "" && !folded && (/^make run FIGURE/ || /^[*]Predict[.][*]/ || /^[*][*]T
 part == "" && !folded && !fenced && (/^[$][$]/ || /^<!-- code:/) { extra += 0.5 }
 part == "" && dragged < 0 && (/^make run FIGURE/ || /^!.*-figure-/) { dragged = words["story"] + 0 }
 /^ *```/ { fenced = !fenced; next }
-fenced || /^<!--/ || /^([|]|>|!\[|[*][*]Time[.][*][*])/ { next }
+fenced || /^<!--/ || /^([|]|>|!\[|[*][*]Time[.][*][*])/ || /^[*][^*].*[^*][*]$/ { next }
 /^<details>/ { folded = 1 }
 /^<\/details>/ { folded = 0; next }
 folded { next }
