@@ -16,7 +16,7 @@ uniform float waveHeight;   // 1 in [0, 3] step 0.1, times a calm sea: height of
 uniform float twist;        // 0.6 in [0, 3] step 0.1, radians per radius of the ring: twist of the ring along its length
 uniform float stepScale;    // 1 in [0.2, 4] step 0.1, times the safe step: more than 1 makes holes
 uniform float sunAzimuth;   // -25 in [-180, 180] step 2, degrees: azimuth of the sun, 0 straight ahead, positive to the right
-uniform int   maxSteps;     // 160 in [1, 512]: steps after which a ray is abandoned
+uniform int   maxSteps;     // 256 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.004 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
 const float FAR = 1000.0; // distance to the sky

@@ -16,7 +16,7 @@ uniform float hoursPerSecond; // 0.25 in [0, 4] step 0.05, hours per second: spe
 uniform bool  reportSky;      // false: the report's sky, repaired, instead of scattered sunlight
 uniform float haze;           // 0.05 in [0, 0.3] step 0.01: optical depth of the dust overhead
 uniform float footprint;      // 1 in [0, 4] step 0.25, half pixels: radius of a ray; 0 shows the speckle
-uniform int   maxSteps;       // 160 in [1, 512]: steps after which a ray is abandoned
+uniform int   maxSteps;       // 256 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.002 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit, at the eye
 
 // x points north, y up, z east. At the start the camera looks west along the avenue. One scene unit

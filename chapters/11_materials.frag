@@ -16,7 +16,7 @@
 uniform float blend;        // 0.45 in [0.05, 1] step 0.05, scene units: width of the pear's blend
 uniform float polish;       // 1 in [0.25, 4] step *1.1: divides the roughness of everything
 uniform bool  averaged;     // true: the cloth's squares are averaged over the pixel; false: evaluated at its centre
-uniform int   maxSteps;     // 96 in [1, 512]: steps after which a ray is abandoned
+uniform int   maxSteps;     // 128 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.001 in [0.0001, 0.05] step *2, scene units: distance that counts as a hit, at the eye
 
 const float WALL = -2.2;                              // z of the wall

@@ -13,7 +13,7 @@ uniform float strength;     // 1 in [0, 2] step 0.05: how much a tap darkens
 uniform int   rays;         // 4 in [1, 8]: rays per side: with methods 2 and 3 each sample sends rays x rays
 uniform int   bounces;      // 2 in [0, 2]: light reflected by nearby surfaces: 0 never, 1 once, 2 any number of times
 uniform bool  bare;         // false: show the openness itself, without colours
-uniform int   maxSteps;     // 96 in [1, 512]: steps after which a ray is abandoned
+uniform int   maxSteps;     // 128 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
 const vec3 SKY = vec3(1.18, 1.22, 1.26);              // light of the whole sky on an open floor, linear RGB

@@ -25,7 +25,7 @@ uniform float gamma;        // 1.45 in [1, 3] step 0.05: steepness of the film's
 uniform float white;        // 8 in [1.5, 64] step *1.1: the light that becomes white
 uniform float punch;        // 0 in [0, 1] step 0.1: contrast of the encoded values; 1 is a smoothstep
 uniform bool  dither;       // true: a fixed pattern before the rounding to 255 steps
-uniform int   maxSteps;     // 96 in [1, 512]: steps after which a ray is abandoned
+uniform int   maxSteps;     // 128 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
 const vec3  SUN_COLOUR = vec3(5.4, 3.2, 1.45);      // light of the sun on a surface that faces it, linear RGB

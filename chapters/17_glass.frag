@@ -25,7 +25,7 @@ uniform float tint;         // 1 in [0, 4] step 0.1: how much light the tumbler'
 uniform float startOffset;  // 2.5 in [0, 10] step 0.5, thresholds: distance from a surface at which the next ray starts
 uniform float lampAzimuth;  // 28 in [0, 360] step 2, degrees: azimuth of the lamp, from the right away from the viewer
 uniform float lampSpeed;    // 12 in [0, 90] step 2, degrees per second: speed of the lamp's azimuth
-uniform int   maxSteps;     // 80 in [1, 512]: steps after which a ray is abandoned
+uniform int   maxSteps;     // 384 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0004 in [0.00001, 0.05] step *2, scene units: distance that counts as a hit, on both sides
 
 // The table is the plane y = 0. It is not part of the distance.

@@ -17,7 +17,7 @@ uniform float hoursPerSecond; // 0.1 in [0, 4] step 0.05, hours per second: spee
 uniform float sunRadius;      // 0.267 in [0.1, 5] step 0.1, degrees: the true radius is 0.267, the article's 2.9
 uniform float exposure;       // 0 in [-8, 8] step 0.5, stops: added to the exposure of the hour
 uniform float swell;          // 0.04 in [0, 0.2] step 0.01: slope of the waves
-uniform int   maxSteps;       // 96 in [1, 512]: steps after which a ray is abandoned
+uniform int   maxSteps;       // 128 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.01 in [0.00001, 0.2] step *2, metres: distance at the eye that counts as a hit
 
 // x points north, y up, z east; at the start the camera looks west. One scene unit is one metre.

@@ -29,7 +29,7 @@ uniform float turned;         // 0.38 in [-1, 1] step 0.02, turns: position of t
 uniform float drift;          // 0.001 in [0, 0.1] step 0.001, turns per second: speed of the panoramas
 uniform vec2  walk;           // 0,0 in [-2, 2] step 0.1, km: distance that the eye has moved, to the north and to the east
 uniform int   clouds;         // 3 in [0, 3]: 0 none, 1 the panoramas, 2 the high layer, 3 both
-uniform int   maxSteps;       // 96 in [1, 512]: steps after which a ray is abandoned
+uniform int   maxSteps;       // 192 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.002 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit
 
 // x points north, y up, z east; at the start the camera looks south. One scene unit is 5 metres.

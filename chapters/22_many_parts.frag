@@ -13,7 +13,7 @@ uniform float clearness;    // 13 in [2, 40] step *1.25, scene units: how far li
 uniform float shafts;       // 1 in [0, 4] step 0.25: brightness of the shafts of light
 uniform float lamp;         // 1 in [0, 4] step 0.25: brightness of the diver's lamp, which is at the eye
 uniform float footprint;    // 0.05 in [0, 1] step 0.05, half pixels: how fast the threshold grows along the ray
-uniform int   maxSteps;     // 200 in [1, 1024]: steps after which a ray is abandoned
+uniform int   maxSteps;     // 320 in [1, 1024]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: distance at the eye that counts as a hit
 
 const float FAR = 40.0, SURFACE = 7.0;                     // range of vision in the water; height of the surface
