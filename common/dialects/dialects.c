@@ -44,17 +44,16 @@ static bool check_image(const struct shader_source *source)
 
 // ---- The dialect ----
 
-// Determine the dialect. A file that defines main and includes nothing is a whole shader, unless it
-// is the course's vertex shader.
+// Determine the dialect. A file that defines main without the course's main.glsl is a whole shader,
+// whatever else it includes, unless it is the course's vertex shader.
 static enum shader_dialect dialect_of(const struct shader_source *source)
 {
     const struct glsl *code = &source->code;
-    bool main = glsl_find_definition(code, "main") != NULL, includes = false;
+    bool main = glsl_find_definition(code, "main") != NULL;
     if (glsl_mentions(code, "mainImage") > 0 && !main)
         return DIALECT_SHADERTOY;
-    for (int i = 0; i < source->line_count; i++)
-        includes |= source->lines[i].file > 0;
-    bool whole = main && !includes && glsl_mentions(code, "gl_Position") == 0;
+    bool whole = main && !shader_includes(source, "shaders/main.glsl") &&
+                 glsl_mentions(code, "gl_Position") == 0;
     return source->version != 0 || whole ? DIALECT_WHOLE : DIALECT_COURSE;
 }
 

@@ -314,16 +314,13 @@ static const char *picture_of(const void *pictures, int i)
 static struct export begin(struct shader_source *source, const struct parameters *parameters,
                            const struct camera *camera, float focal_length, bool page)
 {
-    bool figure = false;
-    for (int i = 0; i < source->file_count; i++)
-        figure |= strcmp(source->files[i], "shaders/figure.glsl") == 0;
     return (struct export){.source = source,
                            .parameters = parameters,
                            .basis = camera_basis_of(camera),
                            .camera = camera,
                            .focal_length = focal_length,
                            .code = &source->code,
-                           .writes = figure,
+                           .writes = shader_includes(source, "shaders/figure.glsl"),
                            .page = page};
 }
 

@@ -82,23 +82,18 @@ static bool forget_prelude(struct shader_source *source)
 // shader with two mains.
 static bool check_version(const struct shader_source *source)
 {
-    for (int i = 1; i < source->file_count && source->version != 0; i++)
-        if (strcmp(source->files[i], "shaders/main.glsl") == 0)
-            return shader_refuse(source, 0,
-                                 "remove #version: a file that includes main.glsl gets one anyway");
-    return true;
+    return source->version == 0 || !shader_includes(source, "shaders/main.glsl") ||
+           shader_refuse(source, 0,
+                         "remove #version: a file that includes main.glsl gets one anyway");
 }
 
 // Without the folder dialects/, only files that include main.glsl are read.
 static bool take_own(struct shader_source *source)
 {
-    for (int i = 1; i < source->file_count; i++)
-        if (strcmp(source->files[i], "shaders/main.glsl") == 0)
-            return true;
-    return report(
-        "%s: was written for another tool: this program runs only shaders that begin with "
-        "#include \"main.glsl\"",
-        source->files[0]);
+    return shader_includes(source, "shaders/main.glsl") ||
+           report("%s: was written for another tool: this program runs only shaders that begin "
+                  "with #include \"main.glsl\"",
+                  source->files[0]);
 }
 
 // Determine the dialect of an expanded text, and translate it. The course's dialect needs no

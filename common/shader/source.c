@@ -3,6 +3,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "report.h"
 
@@ -15,6 +16,14 @@ bool shader_refuse(const struct shader_source *source, int line, const char *for
     vsnprintf(why, sizeof why, format, arguments);
     va_end(arguments);
     return report("%s:%d: %s", source->files[from->file], from->line, why);
+}
+
+bool shader_includes(const struct shader_source *source, const char *file)
+{
+    for (int i = 1; i < source->file_count; i++)
+        if (strcmp(source->files[i], file) == 0)
+            return true;
+    return false;
 }
 
 void shader_free(struct shader_source *source)

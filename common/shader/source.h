@@ -86,6 +86,10 @@ int shader_find_texture(struct shader_source *source, int from, const char *name
 // Do the same for a picture that is named on the command line and may be in any folder.
 int shader_take_texture(struct shader_source *source, const char *path, char why[TEXT_FILE_WHY]);
 
+// True if a source includes a file, whose name is relative to the project, such as
+// shaders/main.glsl.
+bool shader_includes(const struct shader_source *source, const char *file);
+
 // Free a source. A zero-initialised source is allowed.
 void shader_free(struct shader_source *source);
 

@@ -64,6 +64,13 @@ $head {
         fract(p) == vec2(0.5) && p == gl_FragCoord.xy && all(lessThan(p, iResolution.xy)));
 }
 GLSL
+mkdir "$scratch/lib"
+printf '%s\n' 'uniform float time;' 'bool near(float a, float b) { return abs(a - b) < 1e-5; }' >"$scratch/lib/near.glsl"
+is_white parted 'the inputs of a file that includes a part of its own have the right values' -t 1.5 <<'GLSL'
+uniform vec2 resolution;
+#include "lib/near.glsl"
+void main() { gl_FragColor = vec4(near(time, 1.5) && resolution == vec2(48, 27)); }
+GLSL
 as_written() { # TEXT: true if a variant of the scene looks like the original
     printf '%s' "$1" >"$scratch/changed.frag"
     draw changed && [ -z "$said" ] && same changed scene

@@ -79,11 +79,26 @@ IN_PROJECT(test_the_dialect_follows_from_the_text)
     assert_dialect("void mainImage(out vec4 c, in vec2 p) {}\n" MAIN, DIALECT_WHOLE);
     assert_dialect("void mainImages(out vec4 c) {}\nvoid notmainImage() {}\n", DIALECT_COURSE);
     scratch_write("root/shaders/main.glsl", "void main()\n{\n}\n");
-    assert_dialect("#include \"leaf.glsl\"\n" MAIN, DIALECT_COURSE);
     assert_dialect("#include \"main.glsl\"\nvoid mainImage(int a) {}\n", DIALECT_COURSE);
+    assert_dialect("#include \"main.glsl\"\nRay pixelRay(vec2 s);\n" MAIN, DIALECT_COURSE);
     assert_dialect("void mainImage( out vec4 c,\n in vec2 p )\n{ }\n", DIALECT_SHADERTOY);
     assert_dialect("uniform int iFrame; void main() { gl_Position = vec4(0.0); }\n",
                    DIALECT_COURSE);
+}
+
+// A file with its own main is a whole shader, whether it includes parts of its own, parts of the
+// course's library, or a main.glsl that is not the course's.
+IN_PROJECT(test_an_include_does_not_affect_the_dialect)
+{
+    scratch_write("root/chapters/lib/ring.glsl", "float ring(vec2 q) { return length(q); }\n");
+    scratch_write("root/chapters/lib/main.glsl", "float half_of(float x) { return 0.5 * x; }\n");
+    assert_dialect("uniform vec2 u_resolution;\n#include \"lib/ring.glsl\"\n" MAIN, DIALECT_WHOLE);
+    assert_dialect("#include \"lib/main.glsl\"\n" MAIN, DIALECT_WHOLE);
+    assert_dialect("#include \"twig.glsl\"\n" MAIN, DIALECT_WHOLE);
+    assert_dialect("uniform float x = 0.5; // 0.5 in [0, 1]\n#include \"leaf.glsl\"\n" MAIN,
+                   DIALECT_WHOLE);
+    assert_dialect("#include \"lib/ring.glsl\"\nvoid mainImage(out vec4 c, in vec2 p) {}\n",
+                   DIALECT_SHADERTOY);
 }
 
 // Text that the preprocessor skips does not affect the dialect.
