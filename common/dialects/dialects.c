@@ -89,7 +89,7 @@ static bool explain(const struct shader_source *source, const char *log, bool li
     }
     bool toy = source->dialect == DIALECT_SHADERTOY;
     const struct glsl_token *pixel = glsl_find(code, "FC");
-    if (pixel != NULL && !code->name[pixel->name].macro && source->file_count == 1)
+    if (pixel != NULL && source->file_count == 1)
         return !shader_refuse(
             source, pixel->line,
             "FC: a short name from twigl: write gl_FragCoord, declare uniform vec2 "

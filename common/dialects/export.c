@@ -260,6 +260,14 @@ static void put_input(struct export *e, const struct shader_input *in)
     fprintf(e->text, "%s%s;\n", in->components > 1 ? ")" : "", in->integer ? ")" : "");
 }
 
+// Undefine a name that the new mainImage uses, if the text leaves it defined as a macro.
+static void put_undefined(struct export *e, const char *word)
+{
+    const struct glsl_name *name = glsl_name(e->code, word);
+    if (name != NULL && name->defined != GLSL_NEVER)
+        fprintf(e->text, "#undef %s\n", word);
+}
+
 static bool put_foreign(struct export *e)
 {
     struct shader_source *source = e->source;
@@ -274,8 +282,14 @@ static bool put_foreign(struct export *e)
     free(body);
     if (!wraps)
         return true;
-    fprintf(e->text, "\n// ---- The function that Shadertoy calls ----\n\n"
-                     "void mainImage(out vec4 toyColour, in vec2 toyPixel)\n{\n");
+    fprintf(e->text, "\n// ---- The function that Shadertoy calls ----\n\n");
+    for (int i = 0; i < source->input_count; i++)
+        put_undefined(e, source->inputs[i].input->name);
+    for (int i = 0; i < e->parameters->count; i++)
+        put_undefined(e, e->parameters->item[i].name);
+    if (output.kind != DECLARED_NONE)
+        put_undefined(e, output.word);
+    fprintf(e->text, "void mainImage(out vec4 toyColour, in vec2 toyPixel)\n{\n");
     for (int i = 0; i < source->input_count; i++)
         if (!tool_inputs_is_own(&source->inputs[i]) &&
             source->inputs[i].input->meaning != INPUT_CHANNEL)

@@ -282,10 +282,9 @@ void translation_undeclared(struct translation *t)
 {
     const struct input *input;
     for (int i = 0; (input = tool_inputs_row(i)) != NULL; i++) {
-        const struct glsl_name *name = glsl_name(t->code, input->name);
-        if (name == NULL || name->count == 0 || name->macro || input->meaning == INPUT_POSITION ||
-            input->meaning >= INPUT_SILENT || !tool_inputs_offers(t->source, input) ||
-            declared_anywhere(t->code, input->name))
+        if (glsl_mentions(t->code, input->name) == 0 || glsl_find(t->code, input->name) == NULL ||
+            input->meaning == INPUT_POSITION || input->meaning >= INPUT_SILENT ||
+            !tool_inputs_offers(t->source, input) || declared_anywhere(t->code, input->name))
             continue;
         inputs_add(t->source, inputs_default(input));
         int type = (int)strcspn(input->type, "[");

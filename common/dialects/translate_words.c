@@ -77,7 +77,7 @@ static bool is_line_lookup(const struct translation *t, const struct glsl_token 
 static char *new_name(const struct translation *t, const struct glsl_token *token)
 {
     const char *word = token->text;
-    bool macro = t->code->name[token->name].macro;
+    bool macro = token->macro;
     for (size_t i = 0; i < COUNT(renamed); i++)
         if (is_targeted(t, renamed[i].when) && (!macro || (renamed[i].when & WRAPPED)) &&
             strcmp(word, renamed[i].word) == 0)
@@ -98,8 +98,7 @@ static char *new_name(const struct translation *t, const struct glsl_token *toke
 
 static void take_word(struct translation *t, const struct glsl_token *token)
 {
-    const struct glsl *code = t->code;
-    bool macro = code->name[token->name].macro;
+    bool macro = token->macro;
     char *instead = new_name(t, token);
     if (instead != NULL)
         edits_replace(&t->edits, token, instead);

@@ -137,17 +137,18 @@ static void end_if(struct glsl_reader *r)
     r->certain = last->certain;
 }
 
-static void define(struct glsl_reader *r, const struct glsl_token *word, bool defines)
+static void define(struct glsl_reader *r, struct glsl_token *word, bool defines)
 {
     struct glsl_name *name = &r->code->name[word->name];
+    enum glsl_truth truth = defines ? GLSL_ALWAYS : GLSL_NEVER;
     if (defines) {
         bool one =
             !name->macro && word[1].kind == GLSL_WORD && glsl_code(word + 2)->kind == GLSL_END;
         name->word = one ? word[1].text : NULL;
     }
     name->macro |= defines;
-    if (!defines || name->defined == GLSL_NEVER)
-        name->defined = defines && r->certain ? GLSL_ALWAYS : GLSL_PERHAPS;
+    word->macro = true;
+    name->defined = r->certain || name->defined == truth ? truth : GLSL_PERHAPS;
 }
 
 // Put the end tokens after the row of all tokens, which may still grow.
@@ -164,7 +165,7 @@ static void obey(struct glsl_reader *r)
 {
     struct glsl *code = r->code;
     add_ends(code);
-    const struct glsl_token *word = code->item + r->hash + 1;
+    struct glsl_token *word = code->item + r->hash + 1;
     const struct glsl_conditional *last = r->open_count > 0 ? &r->open[r->open_count - 1] : NULL;
     r->inside = false;
     if (glsl_is(word, "ifdef"))
@@ -307,6 +308,7 @@ static void take(struct glsl_reader *r, const char **c)
     if (token.kind == GLSL_WORD || token.kind == GLSL_NUMBER) {
         token.name = add_name(code, code->text + token.begin, token.length);
         token.text = code->name[token.name].text;
+        token.macro = token.kind == GLSL_WORD && code->name[token.name].defined != GLSL_NEVER;
         code->name[token.name].count += token.live;
     }
     if (!token.directive && token.kind < GLSL_COMMENT) {
@@ -353,12 +355,10 @@ void glsl_end(struct glsl_reader *r)
     struct glsl *code = r->code;
     for (int i = 0; i < code->statement_count; i++) {
         struct glsl_token *token = &code->statement[i];
-        if (token->kind == GLSL_WORD) {
-            token->macro = code->name[token->name].macro;
+        if (token->kind == GLSL_WORD)
             code->name[token->name].last = i;
-        } else if (glsl_is_sign(token, "([{") && token->partner == i) {
+        else if (glsl_is_sign(token, "([{") && token->partner == i)
             token->partner = code->statement_count;
-        }
     }
     int statements = code->statement_count;
     add_ends(code);

@@ -28,7 +28,7 @@ struct glsl_token {
     bool live : 1;      // not skipped by the preprocessor
     bool certain : 1;   // live, and inside no #if that only the driver can decide
     bool parted : 1;    // among the statements: a directive comes directly before the token
-    bool macro : 1;     // among the statements: a word that the text defines as a macro
+    bool macro : 1;     // a word that is, or may be, defined as a macro at this place
     int begin, length;  // position in the text, in bytes
     int line;           // line of the text, from 0
     int depth;          // number of brackets of any kind around the token
@@ -99,7 +99,7 @@ bool glsl_is_word(char c);
 // True if the token is one of these signs.
 bool glsl_is_sign(const struct glsl_token *token, const char *signs);
 
-// True if the token is this word, and the word is not a macro of the text.
+// True if the token is this word, and the word is not a macro at this place.
 bool glsl_is(const struct glsl_token *token, const char *word);
 
 // True if glsl_is returns true for one of these words, whose list ends in NULL.
@@ -139,7 +139,8 @@ struct glsl_name *glsl_name(const struct glsl *code, const char *word);
 // The number of live mentions of a word.
 int glsl_mentions(const struct glsl *code, const char *word);
 
-// The first live mention of a word in the text; NULL if there is none.
+// The first live mention of a word in the text where the word is not a macro; NULL if there is
+// none.
 const struct glsl_token *glsl_find(const struct glsl *code, const char *word);
 
 // The next mention of a word among the statements after a token, or the first mention if after is
