@@ -260,7 +260,7 @@ static void put_input(struct export *e, const struct shader_input *in)
     fprintf(e->text, "%s%s;\n", in->components > 1 ? ")" : "", in->integer ? ")" : "");
 }
 
-// Undefine a name that the new mainImage uses, if the text leaves it defined as a macro.
+// Undefine a name that the code after the text uses, if the text leaves it defined as a macro.
 static void put_undefined(struct export *e, const char *word)
 {
     const struct glsl_name *name = glsl_name(e->code, word);
@@ -280,6 +280,7 @@ static bool put_foreign(struct export *e)
     bool old = output.kind == DECLARED_NONE;
     free(front);
     free(body);
+    put_undefined(e, "gl_FragCoord"); // Shadertoy's own main uses it
     if (!wraps)
         return true;
     fprintf(e->text, "\n// ---- The function that Shadertoy calls ----\n\n");
