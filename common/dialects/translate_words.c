@@ -96,10 +96,21 @@ static char *new_name(const struct translation *t, const struct glsl_token *toke
     return is_line_lookup(t, token) ? memory_text("harnessLine") : new_texture(word);
 }
 
+// Separate a sign from a macro or a parameter of a macro that follows it, because Mesa takes the
+// sign and one at the beginning of what it expands to for -- or ++.
+static void take_signed(struct translation *t, const struct glsl_token *token)
+{
+    bool expands = token->macro || token->directive;
+    if (!t->web && expands && token->begin > 0 &&
+        strchr("+-", t->code->text[token->begin - 1]) != NULL)
+        edits_add(&t->edits, token->begin, 0, " ");
+}
+
 static void take_word(struct translation *t, const struct glsl_token *token)
 {
     bool macro = token->macro;
     char *instead = new_name(t, token);
+    take_signed(t, token);
     if (instead != NULL)
         edits_replace(&t->edits, token, instead);
     free(instead);
