@@ -292,7 +292,7 @@ const struct options_row options_rows[] = {
     {"", "stroke", " A,X,Y,Z,...", add_stroke, OPTIONS_RUN,
      "change the clay of chapter 23 along points; A: radius; repeatable", ""},
     {"", "channel", " N=FILE.png", set_channel, OPTIONS_RUN,
-     "picture of iChannelN for a shader from elsewhere, N from 0 to 3", ""},
+     "picture of channel N of a shader from elsewhere, N from 0 to 3", ""},
     {"-c,", "camera", " X,Y,Z,PAN,TILT", set_camera, OPTIONS_RUN,
      "position in scene units and direction in degrees", "the chapter's own"},
     {"-a,", "samples", " N", set_samples, OPTIONS_RUN, "N x N samples per pixel, 1 to 8", "1"},

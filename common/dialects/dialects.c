@@ -75,18 +75,18 @@ static bool explain(const struct shader_source *source, const char *log, bool li
     const struct input *input;
     if (glsl_mentions(code, "gl_Position") > 0)
         return !formats_refuse_vertex(source);
-    if (cube != NULL)
-        return !shader_refuse(source, cube->line,
-                              "%s is read as a cube map, which is not supported here: a picture is "
-                              "read at a vec2",
-                              cube->text);
     for (int i = 0; source->dialect != DIALECT_COURSE && (input = tool_inputs_row(i)) != NULL;
          i++) {
-        bool lacks = !tool_inputs_offers(source, input) && strstr(log, input->name) != NULL;
+        bool lacks = tool_inputs_lacks(source, input) && strstr(log, input->name) != NULL;
         const struct glsl_token *token = lacks ? glsl_find(code, input->name) : NULL;
         if (token != NULL)
             return !tool_inputs_refuse(source, input, token->line);
     }
+    if (cube != NULL)
+        return !shader_refuse(source, cube->line,
+                              "%s is read at a vec3, as a cube map or a volume, and neither is "
+                              "supported here: a picture is read at a vec2",
+                              cube->text);
     bool toy = source->dialect == DIALECT_SHADERTOY;
     const struct glsl_token *pixel = glsl_find(code, "FC");
     if (pixel != NULL && source->file_count == 1)
@@ -117,9 +117,18 @@ static bool writes(const struct glsl *code)
     return glsl_mentions(code, "gl_FragColor") + glsl_mentions(code, "gl_FragData") > 0;
 }
 
-// Warn that nothing sets a uniform or a block, and say how to give it a value. The first warning is
-// kept.
-static void warn(struct shader_source *source, const struct declared *at)
+// Print a warning, and keep the first one. Frees why.
+static void warn(struct shader_source *source, int line, char *why)
+{
+    shader_refuse(source, line, "warning: %s", why);
+    if (source->unset != NULL)
+        free(why);
+    else
+        source->unset = why;
+}
+
+// Warn that nothing sets a uniform or a block, and say how to give it a value.
+static void warn_of(struct shader_source *source, const struct declared *at)
 {
     static const char *const types[][3] = {{"float", "1.0", "1 in [0, 4]"},
                                            {"int", "1", "1 in [0, 4]"},
@@ -149,11 +158,24 @@ static void warn(struct shader_source *source, const struct declared *at)
                                                             "not supported"
                                                           : "nothing sets it; give it a value "
                                                             "where it is declared");
-    shader_refuse(source, at->name->line, "warning: %s", why);
-    if (source->unset != NULL)
-        free(why);
-    else
-        source->unset = why;
+    warn(source, at->name->line, why);
+}
+
+// Warn of the samplers without a picture that the program reads, and of the sizes of such pictures.
+static void warn_of_black(struct shader_source *source, const struct gl *gl, GLuint program)
+{
+    for (int i = 0; i < source->sampler_count; i++) {
+        const struct shader_sampler *s = &source->samplers[i];
+        if (!sampler_has_picture(source, s) && gl->GetUniformLocation(program, s->name) >= 0)
+            warn(source, s->line, tool_inputs_why_black(source, s));
+    }
+    for (int i = 0; i < source->input_count && source->unset == NULL; i++) {
+        const struct input *input = source->inputs[i].input;
+        if (input->meaning == INPUT_CHANNEL_SIZE && !tool_inputs_has_size(source, input) &&
+            gl->GetUniformLocation(program, input->name) >= 0)
+            warn(source, glsl_find(&source->code, input->name)->line,
+                 memory_text("%s is 0, because no channel has a picture", input->name));
+    }
 }
 
 static void warn_of_unset(struct shader_source *source)
@@ -163,18 +185,22 @@ static void warn_of_unset(struct shader_source *source)
         const struct input *input = tool_inputs_find(at.word);
         bool set =
             input != NULL && input->meaning != INPUT_SILENT && input->meaning != INPUT_POSITION;
+        for (int i = 0; i < source->sampler_count; i++)
+            set |= strcmp(source->samplers[i].name, at.word) == 0;
         bool unset = at.kind == DECLARED_UNIFORM && !set && at.value == NULL;
         bool block = at.kind == DECLARED_BLOCK && !glsl_is(at.type - 1, "in");
         if ((block || unset) && declared_is_read(&at) && !parameter_declared(source, at.name))
-            warn(source, &at);
+            warn_of(source, &at);
     }
 }
 
-static bool accept(struct shader_source *source)
+static bool accept(struct shader_source *source, const struct gl *gl, GLuint program)
 {
     const struct glsl *code = &source->code;
-    if (source->dialect != DIALECT_COURSE && source->unset == NULL)
+    if (source->dialect != DIALECT_COURSE && source->unset == NULL) {
+        warn_of_black(source, gl, program);
         warn_of_unset(source);
+    }
     if (source->dialect != DIALECT_WHOLE)
         return true;
     struct declared shown = declared_output(code);

@@ -292,8 +292,7 @@ static bool put_foreign(struct export *e)
         put_undefined(e, output.word);
     fprintf(e->text, "void mainImage(out vec4 toyColour, in vec2 toyPixel)\n{\n");
     for (int i = 0; i < source->input_count; i++)
-        if (!tool_inputs_is_own(&source->inputs[i]) &&
-            source->inputs[i].input->meaning != INPUT_CHANNEL)
+        if (!tool_inputs_is_own(&source->inputs[i]))
             put_input(e, &source->inputs[i]);
     for (int i = 0; i < e->parameters->count; i++) {
         fprintf(e->text, "    %s = ", e->parameters->item[i].name);

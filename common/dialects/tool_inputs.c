@@ -4,6 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
+#include "shader/parameter.h"
+
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
 // The position in the picture, as fractions of its width and height.
@@ -147,16 +150,64 @@ bool tool_inputs_is_own(const struct shader_input *in)
             (own.components == in->components && own.integer == in->integer));
 }
 
-bool tool_inputs_offers(const struct shader_source *source, const struct input *input)
+// ---- Channels ----
+
+// What a channel contains in the author's tool, if the file says so.
+struct kind {
+    const char *was, *words;
+    bool black; // black is right: no key is pressed
+};
+
+static const struct kind *kind_of(const struct shader_source *source, int channel)
 {
-    const char *const *channels = source->request.channels;
-    if (input->meaning != INPUT_CHANNEL && input->meaning != INPUT_CHANNEL_SIZE)
-        return input->meaning != INPUT_REFUSED;
-    for (int i = 0; i < 4; i++)
-        if (((channels != NULL && channels[i] != NULL) || source->channel[i] > 0) &&
-            (i == input->channel || input->channel < 0))
+    static const struct kind kinds[] = {{"texture", "a picture", false},
+                                        {"buffer", "a buffer, the picture of another pass", false},
+                                        {"keyboard", "the keyboard", true},
+                                        {"cubemap", "a cube map", false},
+                                        {"volume", "a volume", false},
+                                        {"mic", "a sound", false},
+                                        {"music", "a sound", false},
+                                        {"musicstream", "a sound", false},
+                                        {"video", "a film", false},
+                                        {"webcam", "a film", false}};
+    for (int i = 0; i < COUNT(kinds); i++)
+        if (channel >= 0 && strcmp(source->was[channel], kinds[i].was) == 0)
+            return &kinds[i];
+    return NULL;
+}
+
+bool tool_inputs_lacks(const struct shader_source *source, const struct input *input)
+{
+    const struct shader_sampler sampler = {.name = input->name, .channel = input->channel};
+    const struct kind *kind =
+        input->meaning == INPUT_CHANNEL ? kind_of(source, input->channel) : NULL;
+    return input->meaning == INPUT_REFUSED ||
+           (kind != NULL && !kind->black && !sampler_has_picture(source, &sampler));
+}
+
+bool tool_inputs_has_size(const struct shader_source *source, const struct input *input)
+{
+    for (int i = 0; i < source->sampler_count; i++)
+        if ((input->channel < 0 || input->channel == source->samplers[i].channel) &&
+            sampler_has_picture(source, &source->samplers[i]))
             return true;
     return false;
+}
+
+char *tool_inputs_why_black(const struct shader_source *source,
+                            const struct shader_sampler *sampler)
+{
+    const struct kind *kind = kind_of(source, sampler->channel);
+    if (kind != NULL && kind->black)
+        return memory_text("%s is %s, and no key is pressed here", sampler->name, kind->words);
+    if (GL_IS_ES)
+        return memory_text("%s has no picture, and is black: this page cannot read your pictures",
+                           sampler->name);
+    return sampler->channel < 0
+               ? memory_text("%s has no picture, and is black: give --texture %s=FILE.png",
+                             sampler->name, sampler->name)
+               : memory_text("%s has no picture, and is black: give --channel %d=FILE.png",
+                             sampler->name, sampler->channel);
 }
 
 // ---- Messages ----
@@ -195,58 +246,19 @@ const struct glsl_token *tool_inputs_cube_map(const struct glsl *code)
     return t->kind != GLSL_END ? t : NULL;
 }
 
-// What the text expects in a channel that has no picture, such as "the keyboard" or "a film"; NULL
-// if unknown.
-static const char *kind_of_channel(const struct shader_source *source, int channel)
-{
-    static const struct {
-        const char *was, *words;
-    } names[] = {{"buffer", "a buffer, the picture of another pass"},
-                 {"keyboard", "the keyboard"},
-                 {"cubemap", "a cube map"},
-                 {"volume", "a volume"},
-                 {"mic", "a sound"},
-                 {"music", "a sound"},
-                 {"musicstream", "a sound"},
-                 {"video", "a film"},
-                 {"webcam", "a film"}};
-    const struct glsl *code = &source->code;
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (strcmp(source->was[channel], names[i].was) == 0)
-            return names[i].words;
-    for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++) {
-        if (channel_of(t) != channel)
-            continue;
-        const struct glsl_token *end = glsl_partner(code, t - 1);
-        bool fetch = glsl_is(t - 2, "texelFetch");
-        for (const struct glsl_token *word = t + 2; word < end; word++) {
-            long number = strtol(word->text, NULL, 10);
-            if (strncmp(word->text, "KEY", 3) == 0 || number == 256 || (fetch && number > 7))
-                return names[1].words;
-        }
-        if (fetch)
-            return names[0].words;
-    }
-    return NULL;
-}
-
 bool tool_inputs_refuse(const struct shader_source *source, const struct input *input, int line)
 {
-    if (input->meaning != INPUT_CHANNEL && input->meaning != INPUT_CHANNEL_SIZE)
+    if (input->meaning != INPUT_CHANNEL)
         return shader_refuse(source, line,
                              "%s is not supported: %s: compute the value in the shader",
                              input->name, input->text);
-    int channel = input->channel < 0 ? 0 : input->channel;
-    const char *was = kind_of_channel(source, channel);
-    if (was != NULL)
+    const struct kind *kind = kind_of(source, input->channel);
+    if (kind != NULL && strcmp(kind->was, "texture") != 0)
         return shader_refuse(source, line, "%s is read as %s, which is not supported here",
-                             input->name, was);
+                             input->name, kind->words);
     if (GL_IS_ES)
         return shader_refuse(source, line, "%s has no picture: this page cannot read your pictures",
                              input->name);
-    return shader_refuse(
-        source, line,
-        "%s has no picture: give --channel %d=FILE.png; buffers, films and sounds are "
-        "not supported",
-        input->name, channel);
+    return shader_refuse(source, line, "%s has no picture: give --channel %d=FILE.png", input->name,
+                         input->channel);
 }

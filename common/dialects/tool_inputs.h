@@ -29,8 +29,16 @@ const struct glsl_token *tool_inputs_cube_map(const struct glsl *code);
 // True for an input that Shadertoy has with exactly the type that the source declares.
 bool tool_inputs_is_own(const struct shader_input *in);
 
-// True if an input has a value here; a channel has one only if it has a picture.
-bool tool_inputs_offers(const struct shader_source *source, const struct input *input);
+// True if an input has no value here and every picture would be wrong without it: it is not
+// supported, or it is a channel without a picture of which the file says what it contains.
+bool tool_inputs_lacks(const struct shader_source *source, const struct input *input);
+
+// True if a picture has the size that an INPUT_CHANNEL_SIZE tells.
+bool tool_inputs_has_size(const struct shader_source *source, const struct input *input);
+
+// Why a sampler that has no picture is black, for a warning. The caller frees the text.
+char *tool_inputs_why_black(const struct shader_source *source,
+                            const struct shader_sampler *sampler);
 
 // Report why an input is not supported. Always returns false.
 //   line  of the source's text, from 0

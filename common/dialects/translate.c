@@ -42,8 +42,7 @@ static bool must_wrap(const struct translation *t)
     bool wraps =
         t->wraps || !t->toy || !is_plain_image(t->code) || glsl_mentions(t->code, "precision") > 0;
     for (int i = 0; i < t->source->input_count; i++)
-        wraps |= !tool_inputs_is_own(&t->source->inputs[i]) &&
-                 t->source->inputs[i].input->meaning != INPUT_CHANNEL;
+        wraps |= !tool_inputs_is_own(&t->source->inputs[i]);
     return wraps;
 }
 

@@ -43,29 +43,72 @@ static void cut_value(struct translation *t, const struct declared *at)
         edits_cut(&t->edits, at->value, at->end - 1);
 }
 
+// The first channel that no sampler of the text reads yet; -1 if all four are taken.
+static int free_channel(const struct translation *t)
+{
+    bool taken[5] = {false};
+    const struct input *input;
+    int channel = 0;
+    for (int i = 0; (input = tool_inputs_row(i)) != NULL; i++)
+        if (input->meaning == INPUT_CHANNEL && glsl_mentions(t->code, input->name) > 0)
+            taken[input->channel] = true;
+    for (int i = 0; i < t->source->sampler_count; i++)
+        taken[t->source->samplers[i].channel < 0 ? 4 : t->source->samplers[i].channel] = true;
+    while (channel < 4 && taken[channel])
+        channel++;
+    return channel < 4 ? channel : -1;
+}
+
+// Add a sampler to those of the source. On Shadertoy, it is one of the four channels.
+static bool add_sampler(struct translation *t, const char *name, const struct input *input,
+                        int line)
+{
+    struct shader_source *source = t->source;
+    int channel = input != NULL ? input->channel : free_channel(t);
+    inputs_add_sampler(source, (struct shader_sampler){name, channel, line});
+    for (int i = 0; i < source->sampler_count; i++)
+        channel =
+            strcmp(source->samplers[i].name, name) == 0 ? source->samplers[i].channel : channel;
+    return channel >= 0 || !t->exported ||
+           shader_refuse(source, line, "%s: a fifth picture: Shadertoy has four channels", name);
+}
+
+// Add the samplers whose sizes an input tells.
+static void add_sizes(struct translation *t, const struct input *size)
+{
+    const struct input *input;
+    for (int i = 0; (input = tool_inputs_row(i)) != NULL && tool_inputs_is_shadertoy(input); i++)
+        if (input->meaning == INPUT_CHANNEL &&
+            (size->channel < 0 || size->channel == input->channel))
+            inputs_add_sampler(t->source, (struct shader_sampler){input->name, input->channel, 0});
+}
+
 static bool take_sampler(struct translation *t, struct declared *at, const struct input *input)
 {
     bool used = is_used(at), channel = input != NULL && input->meaning == INPUT_CHANNEL;
+    bool silent = input != NULL && input->meaning == INPUT_SILENT;
+    bool plain = glsl_is(at->type, "sampler2D") && !declared_is_array(at);
     int line = at->name->line;
     if (t->web && glsl_is(at->type, "sampler1D"))
         t->mark[at->name->name] |= MARK_LINE;
     if (used && glsl_is(at->type, "samplerCube"))
         return shader_refuse(t->source, line,
                              "%s: cube maps are not supported: a picture is a sampler2D", at->word);
-    if (used && channel && (!glsl_is(at->type, "sampler2D") || declared_is_array(at)))
+    if (used && channel && !plain)
         return refuse_type(t, at, input);
-    if (used && !channel && (input == NULL || input->meaning != INPUT_SILENT))
+    if (used && !silent && !plain)
         return shader_refuse(t->source, line,
-                             "%s has no picture: declare it as sampler2D iChannel0, and give "
-                             "--channel 0=FILE.png",
-                             at->word);
-    if (used && (channel ? !tool_inputs_offers(t->source, input) : t->exported))
+                             "%s %s%s has no picture: a picture is a sampler2D: declare uniform "
+                             "sampler2D %s; and give --channel 0=FILE.png",
+                             at->type->text, at->word, declared_is_array(at) ? "[]" : "", at->word);
+    if (used && (channel ? tool_inputs_lacks(t->source, input) : silent && t->exported))
         return tool_inputs_refuse(t->source, input, line);
-    if (channel)
-        inputs_add(t->source, (struct shader_input){.input = input, .declared = true});
-    if (t->exported && at->name == at->first && at->end->sign == ';')
-        return leave_out(t, at);
-    declared_store(at, &t->edits, "uniform");
+    if (!silent && plain && !add_sampler(t, at->word, channel ? input : NULL, line))
+        return false;
+    if (!t->exported)
+        declared_store(at, &t->edits, "uniform");
+    else if (at->name == at->first)
+        edits_cut(&t->edits, at->begin, glsl_skip(t->code, at->end, ";"));
     return true;
 }
 
@@ -116,8 +159,9 @@ static bool take_uniform(struct translation *t, struct declared *at, const struc
         if (array != row || !glsl_is(at->type, row ? "vec3" : "vec2"))
             return refuse_type(t, at, input);
         inputs_add(t->source, *in);
+        add_sizes(t, input);
     }
-    if (input != NULL && is_used(at) && !tool_inputs_offers(t->source, input))
+    if (input != NULL && is_used(at) && tool_inputs_lacks(t->source, input))
         return tool_inputs_refuse(t->source, input, at->name->line);
     if (t->exported && input != NULL && tool_inputs_is_shadertoy(input))
         return leave_out(t, at);
@@ -284,15 +328,17 @@ void translation_undeclared(struct translation *t)
     for (int i = 0; (input = tool_inputs_row(i)) != NULL; i++) {
         if (glsl_mentions(t->code, input->name) == 0 || glsl_find(t->code, input->name) == NULL ||
             input->meaning == INPUT_POSITION || input->meaning >= INPUT_SILENT ||
-            !tool_inputs_offers(t->source, input) || declared_anywhere(t->code, input->name))
+            tool_inputs_lacks(t->source, input) || declared_anywhere(t->code, input->name))
             continue;
-        inputs_add(t->source, inputs_default(input));
-        int type = (int)strcspn(input->type, "[");
-        if (t->exported && tool_inputs_is_shadertoy(input))
-            continue;
-        if (input->meaning == INPUT_CHANNEL && !tool_inputs_is_shadertoy(input))
-            fprintf(t->inputs, "uniform sampler2D iChannel%d;\n", input->channel);
+        bool channel = input->meaning == INPUT_CHANNEL;
+        if (channel)
+            add_sampler(t, input->name, input, glsl_find(t->code, input->name)->line);
         else
+            inputs_add(t->source, inputs_default(input));
+        if (input->meaning == INPUT_CHANNEL_SIZE)
+            add_sizes(t, input);
+        int type = (int)strcspn(input->type, "[");
+        if (!t->exported || (!channel && !tool_inputs_is_shadertoy(input)))
             fprintf(t->inputs, "%s%.*s %s%s;\n", t->exported ? "" : "uniform ", type, input->type,
                     input->name, input->type + type);
     }

@@ -87,11 +87,11 @@ static char *new_name(const struct translation *t, const struct glsl_token *toke
     bool lookup = strcmp(word, "texture") == 0 && glsl_code(token + 1)->sign == '(';
     if ((t->mark[token->name] & MARK_OWN) && !lookup)
         return memory_text("own_%s", word);
-    for (int i = 0; i < t->source->input_count; i++) {
-        const struct input *input = t->source->inputs[i].input;
-        if (input->meaning == INPUT_CHANNEL && !tool_inputs_is_shadertoy(input) &&
-            strcmp(word, input->name) == 0)
-            return memory_text("iChannel%d", input->channel);
+    for (int i = 0; i < t->source->sampler_count && t->exported; i++) {
+        const struct shader_sampler *s = &t->source->samplers[i];
+        bool member = token->begin > 0 && t->code->text[token->begin - 1] == '.';
+        if (!member && strcmp(word, s->name) == 0)
+            return memory_text("iChannel%d", s->channel);
     }
     return is_line_lookup(t, token) ? memory_text("harnessLine") : new_texture(word);
 }

@@ -200,7 +200,7 @@ static bool load(struct texture *texture, const struct gl *gl, const struct samp
                  const char *path, char why[IMAGE_WHY])
 {
     struct texture_image image;
-    *texture = (struct texture){.target = GL_TEXTURE_2D};
+    *texture = (struct texture){.target = GL_TEXTURE_2D, .channel = sampler->channel};
     memcpy(texture->name, sampler->name, sizeof texture->name);
     if (!texture_image_read(&image, sampler, path, why))
         return false;
@@ -246,17 +246,16 @@ void textures_free(struct textures *textures, const struct gl *gl)
 void textures_locate(const struct textures *textures, const struct gl *gl, GLuint program,
                      GLint *location)
 {
-    static const char channel[] = "iChannel";
     for (int i = 0; i < textures->count; i++, location += TEXTURE_UNIFORMS) {
-        const char *name = textures->item[i].name, *number = name + strlen(channel);
+        int channel = textures->item[i].channel;
         char size[96];
-        location[0] = gl->GetUniformLocation(program, name);
+        location[0] = gl->GetUniformLocation(program, textures->item[i].name);
         location[1] = location[2] = -1;
-        if (strncmp(name, channel, strlen(channel)) != 0)
+        if (channel < 0)
             continue;
-        snprintf(size, sizeof size, "iChannelResolution[%s]", number);
+        snprintf(size, sizeof size, "iChannelResolution[%d]", channel);
         location[1] = gl->GetUniformLocation(program, size);
-        snprintf(size, sizeof size, "u_tex%sResolution", number);
+        snprintf(size, sizeof size, "u_tex%dResolution", channel);
         location[2] = gl->GetUniformLocation(program, size);
     }
 }

@@ -33,6 +33,7 @@ void texture_image_free(struct texture_image *image);
 
 struct texture {
     char name[64]; // the sampler's name
+    int channel;   // as in struct sampler
     GLenum target;
     GLuint texture;
     int size[2]; // pixels

@@ -75,6 +75,20 @@ static const char *other_file(const struct shader_source *source, const char *na
     return NULL;
 }
 
+const char *sampler_given(const struct shader_source *source, const struct shader_sampler *sampler)
+{
+    const char *const *channels = source->request.channels;
+    const char *other = other_file(source, sampler->name);
+    bool has = other == NULL && channels != NULL && sampler->channel >= 0;
+    return has ? channels[sampler->channel] : other;
+}
+
+bool sampler_has_picture(const struct shader_source *source, const struct shader_sampler *sampler)
+{
+    return sampler_given(source, sampler) != NULL ||
+           (sampler->channel >= 0 && source->channel[sampler->channel] > 0);
+}
+
 static bool find_file(struct annotation *a, struct shader_source *source, const char *file)
 {
     char why[TEXT_FILE_WHY];
@@ -115,6 +129,7 @@ static bool read_sampler(struct samplers *samplers, struct shader_source *source
         return true;
     annotation_begin(&a, source, uniform, "sampler", volume ? EXAMPLE3 : EXAMPLE2);
     a.sampler.line = a.line;
+    a.sampler.channel = -1;
     bool done =
         annotation_declaration(&a) &&
         (volume || glsl_is(type, "sampler2D") ||
@@ -132,21 +147,22 @@ static bool read_sampler(struct samplers *samplers, struct shader_source *source
     return done;
 }
 
-// Add the pictures of --channel, and those that the text names. These pictures repeat, as they do
+// Add the samplers of another tool's dialect that have a picture. These pictures repeat, as they do
 // by default in Shadertoy.
-static bool add_channels(struct samplers *samplers, struct shader_source *source)
+static bool add_others(struct samplers *samplers, struct shader_source *source)
 {
-    const char *const *channels = source->request.channels;
     char why[TEXT_FILE_WHY];
-    for (int i = 0; i < 4; i++) {
-        bool given = channels != NULL && channels[i] != NULL;
-        if (!given && source->channel[i] <= 0)
+    for (int i = 0; i < source->sampler_count; i++) {
+        const struct shader_sampler *from = &source->samplers[i];
+        const char *given = sampler_given(source, from);
+        if (!sampler_has_picture(source, from))
             continue;
-        struct sampler sampler = {.line = -1, .repeat = true};
-        snprintf(sampler.name, sizeof sampler.name, "iChannel%d", i);
-        sampler.file = given ? shader_take_texture(source, channels[i], why) : source->channel[i];
+        struct sampler sampler = {.line = from->line, .channel = from->channel, .repeat = true};
+        snprintf(sampler.name, sizeof sampler.name, "%s", from->name);
+        sampler.file = given != NULL ? shader_take_texture(source, given, why)
+                                     : source->channel[from->channel];
         if (sampler.file < 0)
-            return report("--channel %d=%s: %s", i, channels[i], why);
+            return shader_refuse(source, from->line, "sampler %s: %s: %s", from->name, given, why);
         add_sampler(samplers, &sampler);
     }
     return true;
@@ -176,7 +192,7 @@ bool samplers_read(struct samplers *samplers, struct shader_source *source)
 {
     const struct glsl *code = &source->code;
     bool course = source->dialect == DIALECT_COURSE;
-    bool done = course || add_channels(samplers, source);
+    bool done = course || add_others(samplers, source);
     for (const struct glsl_token *t = code->item; course && done && t->kind != GLSL_END; t++) {
         bool uniform = glsl_is(t, "uniform") && t->live && !t->directive;
         const struct glsl_token *type = uniform ? sampler_type(t) : NULL;

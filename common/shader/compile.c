@@ -101,7 +101,7 @@ GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
     free(first);
     free(second);
     free(log);
-    if (program != 0 && dialects.accept != NULL && !dialects.accept(fragment)) {
+    if (program != 0 && dialects.accept != NULL && !dialects.accept(fragment, gl, program)) {
         gl->DeleteProgram(program);
         program = 0;
     }

@@ -5,6 +5,7 @@
 #define SHADER_DIALECTS_H
 
 #include "camera.h"
+#include "context/gl.h"
 #include "shader/parameter.h"
 #include "shader/source.h"
 
@@ -44,9 +45,10 @@ struct dialects {
     char *(*with_floats)(const char *text);
 
     // Check a shader that a driver has linked. For each uniform or block that is read but never
-    // set, print a warning of one line; the first warning is kept in the source. Returns false
-    // after reporting the error if a whole shader has no output, or gives it no value.
-    bool (*accept)(struct shader_source *source);
+    // set, and for each sampler without a picture, print a warning of one line; the first warning
+    // is kept in the source. Returns false after reporting the error if a whole shader has no
+    // output, or gives it no value.
+    bool (*accept)(struct shader_source *source, const struct gl *gl, GLuint program);
 
     // Write a shader in Shadertoy's dialect, as one file.
     //   parameters    of the source; their current values become constants

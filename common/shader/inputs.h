@@ -55,6 +55,7 @@ struct shader_input {
 };
 
 struct shader_source;
+struct shader_sampler;
 
 // A row of a table of inputs that have a value.
 #define INPUT_ROW(name, type, meaning)                                                             \
@@ -80,6 +81,9 @@ struct shader_input inputs_default(const struct input *input);
 
 // Add an input to those that a source reads, unless it is already among them.
 void inputs_add(struct shader_source *source, struct shader_input input);
+
+// Add a sampler to those that a source reads, unless it is already among them.
+void inputs_add_sampler(struct shader_source *source, struct shader_sampler sampler);
 
 // True if a linked program of a source reads an input with a meaning from first to last. The linker
 // keeps only the uniforms that are used.

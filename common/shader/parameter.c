@@ -99,11 +99,6 @@ static const char *parameter_name(const void *parameters, int i)
     return ((const struct parameters *)parameters)->item[i].name;
 }
 
-static const char *sampler_name(const void *samplers, int i)
-{
-    return ((const struct samplers *)samplers)->item[i].name;
-}
-
 // Report an assignment to an unknown name, list the known names, and free the list. Always returns
 // false.
 static bool report_unknown(const char *option, const char *assignment, const char *what, int count,
@@ -233,40 +228,52 @@ void parameter_reset(struct parameter *parameter)
 
 // ---- Samplers ----
 
+// The argument of sampler_name.
+struct readers {
+    const struct samplers *samplers;
+    const struct shader_source *source;
+};
+
+static const char *sampler_name(const void *readers, int i)
+{
+    const struct readers *r = readers;
+    return r->source->dialect == DIALECT_COURSE ? r->samplers->item[i].name
+                                                : r->source->samplers[i].name;
+}
+
 // True if a sampler has the name in NAME=FILE; otherwise reports an error.
-static bool knows(const struct samplers *samplers, const char *assignment)
+static bool knows(const struct readers *readers, int count, const char *assignment)
 {
     size_t length = strcspn(assignment, "=");
-    for (int i = 0; i < samplers->count; i++)
-        if (strlen(samplers->item[i].name) == length &&
-            strncmp(samplers->item[i].name, assignment, length) == 0)
+    for (int i = 0; i < count; i++) {
+        const char *name = sampler_name(readers, i);
+        if (strlen(name) == length && strncmp(name, assignment, length) == 0)
             return true;
-    return report_unknown("texture", assignment, "texture", samplers->count,
-                          memory_list(samplers->count, sampler_name, samplers));
+    }
+    return report_unknown("texture", assignment, "texture", count,
+                          memory_list(count, sampler_name, readers));
 }
 
 bool samplers_fit(const struct samplers *samplers, const struct shader_source *source)
 {
     const struct shader_request *request = &source->request;
+    const struct readers readers = {samplers, source};
     bool course = source->dialect == DIALECT_COURSE;
-    for (int i = 0; i < request->texture_count; i++) {
-        if (!course)
-            return report("--texture %s: the shader is not in the course's dialect: use "
-                          "--channel N=FILE.png to set iChannelN",
-                          request->textures[i]);
-        if (!knows(samplers, request->textures[i]))
+    for (int i = 0; i < request->texture_count; i++)
+        if (!knows(&readers, course ? samplers->count : source->sampler_count,
+                   request->textures[i]))
             return false;
-    }
     for (int i = 0; request->channels != NULL && i < 4; i++) {
-        char name[] = "iChannel0";
-        name[sizeof name - 2] = (char)('0' + i);
+        int sampler = 0;
+        while (sampler < source->sampler_count && source->samplers[sampler].channel != i)
+            sampler++;
         if (request->channels[i] != NULL && course)
             return report("--channel %d=%s: the shader is in the course's dialect: use "
                           "--texture NAME=FILE.png for its samplers",
                           i, request->channels[i]);
-        if (request->channels[i] != NULL && glsl_mentions(&source->code, name) == 0)
-            return report("--channel %d=%s: the shader does not mention %s", i,
-                          request->channels[i], name);
+        if (request->channels[i] != NULL && sampler == source->sampler_count)
+            return report("--channel %d=%s: the shader does not read iChannel%d", i,
+                          request->channels[i], i);
     }
     return true;
 }
@@ -279,10 +286,8 @@ bool sampler_refuse(const struct shader_source *source, const struct sampler *sa
     va_start(arguments, format);
     vsnprintf(why, sizeof why, format, arguments);
     va_end(arguments);
-    return sampler->line < 0 ? report("--channel %s=%s: %s", sampler->name + strlen("iChannel"),
-                                      source->files[sampler->file], why)
-                             : shader_refuse(source, sampler->line, "sampler %s: %s: %s",
-                                             sampler->name, source->files[sampler->file], why);
+    return shader_refuse(source, sampler->line, "sampler %s: %s: %s", sampler->name,
+                         source->files[sampler->file], why);
 }
 
 // ---- The tables ----

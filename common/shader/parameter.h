@@ -43,7 +43,8 @@
 // of slices; and a meaning.
 //
 // In the course's dialect, every sampler needs such a comment, unless the preprocessor certainly
-// skips the sampler. In the other dialects, the only samplers are the channels.
+// skips the sampler. In the other dialects, the samplers are those of the source that have a
+// picture.
 #ifndef PARAMETER_H
 #define PARAMETER_H
 
@@ -58,7 +59,8 @@
 struct sampler {
     char name[64];
     int file;          // index of the picture among the files of the source
-    int line;          // line of the text that declares the sampler, from 0; -1 for a channel
+    int line;          // line of the text that declares the sampler, from 0
+    int channel;       // 0 to 3 for Shadertoy's iChannelN and the like; -1 for any other sampler
     bool srgb, repeat; // if false: linear, clamp
     int slices;        // number of slices of a volume; 0 for a picture
     char meaning[200];
@@ -95,8 +97,8 @@ struct parameters {
 };
 
 // Read the parameters and the samplers of a source, in the order of the text. In dialects other
-// than the course's, a malformed annotation declares nothing, and the samplers are the pictures of
-// the request's channels and those that the text names.
+// than the course's, a malformed annotation declares nothing, and the samplers are those with a
+// picture of the request, or one that the text names.
 // Returns false after reporting the error with file and line. Errors of a comment that begins with
 // a value are: no range, a value outside the range, a wrong number of values, an unknown type, no
 // meaning. Errors of a sampler are: no comment as above, a malformed comment, a type other than
@@ -154,10 +156,16 @@ void parameter_range_text(const struct parameter *parameter, char *text, size_t 
 // Print the table of --list, with name, value, range, unit and meaning.
 void parameters_print(const struct parameters *parameters, FILE *file);
 
+// The file on the command line for a sampler of another tool's dialect: that of --texture
+// NAME=FILE, or else that of its channel; NULL if neither is given.
+const char *sampler_given(const struct shader_source *source, const struct shader_sampler *sampler);
+
+// True if such a sampler has a picture, given or named by the text.
+bool sampler_has_picture(const struct shader_source *source, const struct shader_sampler *sampler);
+
 // True if each picture of the source's request has a sampler that reads it. Returns false after
 // reporting the error: no sampler has the NAME of a NAME=FILE (the message lists the names of all
-// samplers), the shader does not mention a channel, --texture is used in another dialect, or
-// --channel in the course's.
+// samplers), the shader does not read a channel, or --channel is used in the course's dialect.
 bool samplers_fit(const struct samplers *samplers, const struct shader_source *source);
 
 // Report a problem with a sampler's picture. Always returns false.

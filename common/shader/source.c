@@ -38,6 +38,7 @@ void shader_free(struct shader_source *source)
     free(source->prelude);
     free(source->body);
     free(source->inputs);
+    free(source->samplers);
     free(source->unset);
     free(source->root);
     free(source->own);

@@ -36,6 +36,14 @@ struct shader_request {
     const char *const *channels;
 };
 
+// A sampler of a file in another tool's dialect. It reads the picture of --texture NAME=FILE or
+// that of its channel; without either, it is black.
+struct shader_sampler {
+    const char *name; // of its uniform; not owned
+    int channel;      // 0 to 3; -1 for a fifth one, which only --texture reaches
+    int line; // of the text, from 0: its declaration or, if there is none, its first mention
+};
+
 struct shader_source {
     enum shader_dialect dialect; // set by dialect.c, like prelude, body, inputs and unset
     int version;                 // the number in the text's #version; 0 if there is none
@@ -46,6 +54,8 @@ struct shader_source {
     char *prelude, *body;        // for the driver; NULL in the course's dialect
     struct shader_input *inputs; // the inputs that the text reads
     int input_count;
+    struct shader_sampler *samplers; // in the order of the text; none in the course's dialect
+    int sampler_count;
     char *unset;     // the first warning that nothing sets a uniform or a block; NULL if none
     char was[4][24]; // what each channel contains in the author's tool, in Shadertoy's words
     int channel[4];  // indices of the files that the text names for its channels; 0 for no file

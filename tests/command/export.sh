@@ -131,6 +131,9 @@ same_channel() {
 }
 passes 'a file with its own main and a channel' "$BUILD/01_normal_colouring" -f "$scratch/channel.frag" "${channel[@]}" &&
     check 'the export of a file with its own main and a channel looks the same' same_channel
+printf '%s\n' 'uniform sampler2D stone;' 'uniform vec2 resolution;' 'void main() { gl_FragColor = texture2D(stone, gl_FragCoord.xy / resolution); }' >"$scratch/channel.frag"
+passes 'a file with a sampler of its own' "$BUILD/01_normal_colouring" -f "$scratch/channel.frag" "${channel[@]}" &&
+    check 'the export of a file with a sampler of its own looks the same' same_channel
 named() {
     local name=$scratch/$'two\nlines.frag'
     cp chapters/01_normal_colouring.frag "$name"

@@ -123,6 +123,17 @@ out vec4 c;
 void main() { c = vec4($reads); }
 GLSL
 
+reads_both='texture(wood, vec2(0.2, 0.75)).r == 1.0 && texture(wood, vec2(0.7, 0.25)).r == 0.0 && texture(sky, vec2(0.2, 0.75)).r == 1.0'
+whole="uniform sampler2D none, wood, sky; void main() { gl_FragColor = vec4($reads_both); }"
+is_white sampler_channel 'samplers of any name take the channels in their order' --channel "1=$scratch/rows.png" --channel "2=$scratch/rows.png" <<<"$whole"
+is_white sampler_texture 'samplers of any name take --texture' --texture "wood=$scratch/rows.png" --texture "sky=$scratch/rows.png" <<<"$whole"
+is_white toy_texture '--texture also names a channel of Shadertoy' --texture "iChannel1=$scratch/rows.png" \
+    <<<"$head { c = vec4(texture(iChannel1, vec2(0.2, 0.75)).r == 1.0 && iChannelResolution[1].xy == vec2(2)); }"
+is_white local_name 'a local variable may have the name of a channel of another tool' "${channels[@]}" <<GLSL
+$head { vec4 texture0 = texture(iChannel0, vec2(0.2, 0.75)), texture3 = texture(iChannel3, vec2(0)); c = vec4(texture0.r == 1.0 && texture3.r < 2.0); }
+GLSL
+is_white same_channel 'one picture has the names of two tools' --channel "1=$scratch/rows.png" <<<"$head { c = texture(iChannel1, vec2(0.2, 0.75)) * texture(texture1, vec2(0.2, 0.75)); }"
+
 # ---- Huge and malformed text ----
 
 # The time to read a shader must be proportional to its length. If it is not, the suite hangs, and tests/run ends it.

@@ -305,9 +305,6 @@ IN_PROJECT(test_inputs_and_textures_are_checked_and_translated)
                    "the nearest is vTexCoord");
     assert_dialect("#version 330 core\n#ifdef OLD\nin vec2 k;\n#else\nfloat k;\n#endif\n" WRITES,
                    DIALECT_WHOLE);
-    assert_refused(
-        "uniform sampler2D tex; out vec4 A; void main() { A = texture(tex, vec2(0)); }\n",
-        "main.frag:2: tex has no picture: declare it as sampler2D iChannel0");
     assert_dialect("#version 330 core\nuniform sampler2D tex; float k; " WRITES, DIALECT_WHOLE);
     // An input that is declared as an array instead of a single value, or the reverse, would never
     // be set.

@@ -236,7 +236,8 @@ TEST(test_the_command_line_replaces_a_picture)
     const struct shader_request other = {.textures = unknown, .texture_count = 1};
     assert_misfit(two, &other, "--texture b=x.png: unknown texture: this shader has a, ab");
     assert_misfit("float x;\n", &other, "--texture b=x.png: this shader has no textures");
-    assert_misfit("void mainImage(out vec4 c, vec2 p) { c = vec4(1.0); }\n", &other, "--channel");
+    assert_misfit("void mainImage(out vec4 c, vec2 p) { c = vec4(1.0); }\n", &other,
+                  "this shader has no textures");
     const char *const missing[] = {"a=gone.png"};
     const struct shader_request gone = {.textures = missing, .texture_count = 1};
     bool done;
@@ -244,6 +245,44 @@ TEST(test_the_command_line_replaces_a_picture)
     assert_true(!done && line_count(said) == 1 &&
                 strstr(said, "my.frag:1: sampler a: gone.png: cannot be read: No such file") !=
                     NULL);
+}
+
+// Samplers of any name take the channels in the order of the text, beside those that name one.
+TEST(test_samplers_of_other_tools_have_channels)
+{
+    static const char text[] = "#version 330 core\n"
+                               "uniform sampler2D wood, texture1, backbuffer, none, sky;\n"
+                               "uniform sampler2D iChannel0, late; out vec4 c;\n"
+                               "void main() { vec2 p = vec2(0.0); c = texture(wood, p) +\n"
+                               "texture(texture1, p) + texture(sky, p) + texture(late, p); }\n";
+    static const struct {
+        const char *name;
+        int channel;
+    } right[] = {{"wood", 2}, {"texture1", 1},  {"none", 3},
+                 {"sky", -1}, {"iChannel0", 0}, {"late", -1}};
+    enum { COUNT = sizeof right / sizeof *right };
+    char path[4096], named[4096 + 8];
+    snprintf(path, sizeof path, "%s", scratch_path("outside.png"));
+    snprintf(named, sizeof named, "sky=%s", path);
+    const char *const channels[4] = {NULL, path, path, NULL}, *const textures[] = {named};
+    const struct shader_request request = {
+        .channels = channels, .textures = textures, .texture_count = 1};
+    const struct samplers *read = samplers_of(text, &request);
+    assert_int_equal(source.sampler_count, COUNT);
+    for (int i = 0; i < COUNT; i++) {
+        assert_string_equal(source.samplers[i].name, right[i].name);
+        assert_int_equal(source.samplers[i].channel, right[i].channel);
+    }
+    assert_true(samplers_fit(read, &source));
+    assert_int_equal(read->count, 3);
+    assert_string_equal(read->item[0].name, "wood");
+    assert_string_equal(read->item[1].name, "texture1");
+    assert_string_equal(read->item[2].name, "sky");
+    const char *const unknown[] = {"woods=x.png"};
+    const struct shader_request other = {.textures = unknown, .texture_count = 1};
+    assert_misfit(text, &other,
+                  "--texture woods=x.png: unknown texture: this shader has wood, texture1, none, "
+                  "sky, iChannel0, late");
 }
 
 TEST(test_channels_come_from_the_command_line)
@@ -271,14 +310,10 @@ TEST(test_channels_come_from_the_command_line)
         free(prelude);
         bool done;
         const char *said = read_asked(i == 0 ? toy : whole, &gone, &done);
-        assert_true(!done && strstr(said, "--channel 2=gone.png: cannot be read") != NULL);
+        assert_true(!done && strstr(said, ": sampler iChannel2: gone.png: cannot be read") != NULL);
     }
-    assert_misfit(toy, &other, "the shader does not mention iChannel0");
+    assert_misfit(toy, &other, "the shader does not read iChannel0");
     assert_misfit("float x;\n", &other, "use --texture NAME=FILE.png for its samplers");
-    assert_refused(whole, "my.frag:2: ", "iChannel2 has no picture: give --channel 2=FILE.png");
-    assert_refused("#version 330 core\nuniform sampler2D stone; out vec4 c;\n"
-                   "void main() { c = texture(stone, vec2(0.0)); }\n",
-                   "my.frag:2: ", "declare it as sampler2D iChannel0");
     assert_refused("#version 330 core\nuniform samplerCube iChannel0; out vec4 c;\n"
                    "void main() { c = texture(iChannel0, vec3(0.0)); }\n",
                    "my.frag:2: ", "iChannel0: cube maps are not supported");
