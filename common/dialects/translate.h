@@ -29,9 +29,10 @@ bool translate(struct shader_source *source, enum translate_target target, char 
 
 // Initialise variables that have no value to 0, as browsers do: "float d, t = 1.0;" becomes "float
 // d=float(0), t = 1.0;". Arrays and structures are initialised too, if their parts can be counted
-// and are not too many. A declaration is left unchanged if a directive divides it, or if its type,
-// name or size is a macro. The outputs of a whole shader are set to 0 at the beginning of main,
-// unless the text mentions main more than once.
+// and are not too many. So are out parameters, and a function that returns a value on some paths
+// returns 0 on the others. A declaration is left unchanged if a directive divides it, or if its
+// type, name or size is a macro. The outputs of a whole shader are set to 0 at the beginning of
+// main, unless the text mentions main more than once.
 //   old  the output is harnessColour, which replaces gl_FragColor or gl_FragData
 void translate_zeros(const struct glsl *code, struct edits *edits, bool old);
 

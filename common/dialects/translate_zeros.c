@@ -84,6 +84,32 @@ static void zero_variable(const struct zeros *all, const struct declared *at)
         edits_add(all->edits, at->end[-1].begin + at->end[-1].length, 0, "=%s", text);
 }
 
+// Set the out parameters of a function to 0 at its beginning, and return 0 at its end if a path may
+// reach the end of a function that returns a value elsewhere.
+//   brace  the { of the function's body
+static void zero_function(const struct zeros *all, const struct glsl_token *brace)
+{
+    const struct glsl *code = all->code;
+    const struct glsl_token *end = glsl_partner(code, brace), *list = glsl_partner(code, brace - 1),
+                            *last = brace + 1;
+    char text[VALUE_SIZE];
+    bool returns = false;
+    for (const struct glsl_token *t = list; t < brace; t++) {
+        const struct glsl_token *type = t + 1 + (glsl_is(t, "out") && glsl_is_precision(t + 1));
+        if (glsl_is(t, "out") && is_plain(type + 1) && glsl_is_sign(type + 2, ",)[") &&
+            zero_of(all, type, type + 2, text))
+            edits_add(all->edits, brace->begin + 1, 0, "%s=%s;", type[1].text, text);
+    }
+    for (const struct glsl_token *t = brace + 1; t < end; t++) {
+        returns |= glsl_is(t, "return");
+        bool ends = t->depth == brace->depth + 1 && glsl_is_sign(t, ";}");
+        last = ends && t + 1 < end ? t + 1 : last;
+    }
+    if (returns && (end->parted || !glsl_is(last, "return")) && end->kind != GLSL_END &&
+        is_plain(list - 1) && zero_of(all, list - 2, list, text))
+        edits_add(all->edits, end->begin, 0, "return %s;", text);
+}
+
 void translate_zeros(const struct glsl *code, struct edits *edits, bool old)
 {
     struct zeros all = {code, edits, memory_zeros((size_t)code->name_count, sizeof(char *))};
@@ -94,6 +120,8 @@ void translate_zeros(const struct glsl *code, struct edits *edits, bool old)
     for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++)
         if (glsl_is(t, "struct") && is_plain(t + 1) && t[2].sign == '{')
             learn(&all, t + 1);
+        else if (t->sign == '{' && t->depth == 0 && t[-1].sign == ')')
+            zero_function(&all, t);
     struct declared at = {.code = code};
     char text[VALUE_SIZE];
     if (old && main != NULL)

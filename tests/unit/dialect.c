@@ -149,7 +149,8 @@ IN_PROJECT(test_main_image_is_adapted_to_the_renderer)
         read_text(&source, "void mainImage(out vec4 c, in vec2 p) { c = gl_FragCoord; }\n", &said));
     char *compiled = shader_text(&source, VIEW_PICTURE);
     assert_non_null(
-        strstr(compiled, "\nvoid mainImage(inout vec4 c, in vec2 p) { c = harnessFragCoord; }\n"));
+        strstr(compiled,
+               "\nvoid mainImage(inout vec4 c, in vec2 p) {c=vec4(0); c = harnessFragCoord; }\n"));
     free(compiled);
     shader_free(&source);
 }
