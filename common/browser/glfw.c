@@ -30,6 +30,7 @@ struct GLFWwindow {
     GLFWcursorenterfun on_enter;
     GLFWscrollfun on_wheel;
     GLFWwindowfocusfun on_focus;
+    GLFWdropfun on_drop; // never called, because the page receives the files
     GLFWwindowrefreshfun on_damage;
     double pointer[2];
     bool focused, ended;
@@ -302,6 +303,7 @@ WEB_CALLBACK(CursorPos, GLFWcursorposfun, on_pointer)
 WEB_CALLBACK(CursorEnter, GLFWcursorenterfun, on_enter)
 WEB_CALLBACK(Scroll, GLFWscrollfun, on_wheel)
 WEB_CALLBACK(WindowFocus, GLFWwindowfocusfun, on_focus)
+WEB_CALLBACK(Drop, GLFWdropfun, on_drop)
 WEB_CALLBACK(WindowRefresh, GLFWwindowrefreshfun, on_damage)
 #undef WEB_CALLBACK
 
@@ -397,4 +399,12 @@ void live_focus(int focused)
     web.window.focused = focused != 0;
     if (web.window.on_focus != NULL)
         web.window.on_focus(&web.window, focused);
+}
+
+// ---- What a page does itself ----
+
+bool platform_edit(const char *path)
+{
+    (void)path;
+    return false;
 }

@@ -1,6 +1,9 @@
 #include "picture/loader.h"
 
+#include <stdio.h>
 #include <string.h>
+
+#include "report.h"
 
 bool loader_read(struct loader *loader)
 {
@@ -8,6 +11,64 @@ bool loader_read(struct loader *loader)
     parameters_free(&loader->parameters);
     return shader_read_asked(&loader->source, loader->path, loader->root, &loader->request) &&
            parameters_read(&loader->parameters, &loader->source);
+}
+
+bool loader_open(struct loader *loader, const char *path)
+{
+    struct loader_other *other = &loader->other;
+    if (strlen(path) >= sizeof other->path)
+        return report("%.40s...: the path is too long", path);
+    snprintf(other->path, sizeof other->path, "%s", path);
+    loader->path = other->path;
+    loader->request.textures = NULL;
+    loader->request.texture_count = 0;
+    loader->request.channels = NULL;
+    return true;
+}
+
+// The channel that gets the next picture: the first one that has none, or else the first that the
+// shader reads; -1 if it reads none.
+static int next_channel(const struct loader *loader)
+{
+    const struct shader_source *source = &loader->renderer.fragment;
+    const char *const *given = loader->request.channels;
+    int channel = -1;
+    for (int i = source->sampler_count - 1; i >= 0; i--) {
+        int at = source->samplers[i].channel;
+        if (at >= 0 && (channel < 0 || given == NULL || given[at] == NULL ||
+                        (given[channel] != NULL && at < channel)))
+            channel = at;
+    }
+    return channel;
+}
+
+bool loader_give(struct loader *loader, const char *path)
+{
+    struct loader_other *other = &loader->other;
+    struct shader_request *request = &loader->request;
+    const struct samplers *samplers = &loader->renderer.parameters.samplers;
+    bool course = loader->renderer.fragment.dialect == DIALECT_COURSE;
+    int first = 0, channel = course ? 0 : next_channel(loader);
+    while (course && first < samplers->count && samplers->item[first].slices > 0)
+        first++;
+    if (course ? first == samplers->count : channel < 0)
+        return report("%s: the shader reads no picture", path);
+    char *picture = other->picture[channel];
+    int length = snprintf(picture, sizeof *other->picture, "%s%s%s",
+                          course ? samplers->item[first].name : "", course ? "=" : "", path);
+    if (length >= (int)sizeof *other->picture)
+        return report("%.40s...: the path is too long", path);
+    if (course) {
+        other->textures[0] = picture;
+        request->textures = other->textures;
+        request->texture_count = 1;
+        return true;
+    }
+    for (int i = 0; i < 4; i++)
+        other->channels[i] = request->channels != NULL ? request->channels[i] : NULL;
+    other->channels[channel] = picture;
+    request->channels = other->channels;
+    return true;
 }
 
 void loader_begin(const struct loader *loader)

@@ -7,6 +7,13 @@
 
 #include "picture/renderer.h"
 
+// Files that replace those of the command line while the program runs.
+struct loader_other {
+    char path[4096];
+    char picture[4][4200]; // for a channel, a file; NAME=FILE for the first sampler otherwise
+    const char *textures[1], *channels[4];
+};
+
 // The shader of one picture. The caller sets path, root and request. A zero-initialised loader is
 // closed.
 struct loader {
@@ -17,12 +24,22 @@ struct loader {
     struct parameters parameters;
     struct renderer renderer;
     struct renderer next; // a shader that loader_link has linked; closed if there is none
+    struct loader_other other;
 };
 
 // Read the file and its parameters, and free the results of an earlier call. The renderer does not
 // change.
 // Returns false after reporting the error.
 bool loader_read(struct loader *loader);
+
+// Read another shader from now on, without the pictures of the command line. Returns false after
+// reporting the error if the path is too long.
+bool loader_open(struct loader *loader, const char *path);
+
+// Read another picture for the shader's first sampler or, in other dialects, for the first channel
+// that has none, or else the first. Returns false after reporting the error if the shader reads no
+// picture, or the path is too long.
+bool loader_give(struct loader *loader, const char *path);
 
 // Have the driver start compiling the shader that was read; the renderer must be open. shader_ready
 // tells when loader_compile no longer has to wait.

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <signal.h>
+#include <spawn.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -103,4 +104,23 @@ void platform_free_memory(void)
     if (state.limited)
         setrlimit(RLIMIT_AS, &state.memory_before);
     state.limited = false;
+}
+
+// ---- The editor ----
+
+extern char **environ;
+
+bool platform_edit(const char *path)
+{
+    static char shell[] = "sh", option[] = "-c";
+    static char script[] =
+        "editor=${VISUAL:-$EDITOR}\n"
+        "for each in xdg-open open; do\n"
+        "    [ -n \"$editor\" ] || ! command -v $each >/dev/null || editor=$each\n"
+        "done\n"
+        "[ -n \"$editor\" ] || { echo 'no editor: set VISUAL to the name of one' >&2; exit 1; }\n"
+        "exec $editor \"$1\"";
+    char *const argument[] = {shell, option, script, shell, (char *)path, NULL};
+    pid_t child;
+    return posix_spawnp(&child, shell, NULL, NULL, argument, environ) == 0;
 }

@@ -9,6 +9,7 @@
 
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
+#include <shellapi.h>
 
 #define STACK_LEFT (64 * 1024) // bytes of stack for on_crash if the driver uses up the rest
 #define SINCE_1601 11644473600 // the start of 1970, in seconds since 1601
@@ -150,4 +151,13 @@ void platform_limit_memory(double more)
 
 void platform_free_memory(void)
 {
+}
+
+// ---- The editor ----
+
+bool platform_edit(const char *path)
+{
+    wchar_t wide[PLATFORM_PATH];
+    return MultiByteToWideChar(CP_UTF8, 0, path, -1, wide, PLATFORM_PATH) > 0 &&
+           (INT_PTR)ShellExecuteW(NULL, L"open", wide, NULL, NULL, SW_SHOWNORMAL) > 32;
 }

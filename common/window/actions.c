@@ -7,6 +7,7 @@
 #include "picture/comparison.h"
 #include "picture/probe.h"
 #include "picture/room.h"
+#include "platform.h"
 #include "report.h"
 #include "window/contents.h"
 #include "window/field.h"
@@ -29,6 +30,13 @@ static void quit(struct window *window)
 static void shoot(struct window *window)
 {
     window->shooting = true;
+}
+
+static void edit(struct window *window)
+{
+    const char *path = window->start->picture[0].path;
+    if (window_key_acts(window, KEY_WITH_EDITOR) && !platform_edit(path))
+        report("%s: no editor can be started", path);
 }
 
 static void pause(struct window *window)
@@ -227,6 +235,10 @@ const struct key_row window_keys[] = {
      .binding = {{GLFW_KEY_R, .change = restart, .amount = false, .shifted = true}}},
     {.label = "P", .does = "screenshot", .meaning = "save a screenshot in the current folder",
      .binding = {{GLFW_KEY_P, .act = shoot}}},
+    {.label = "V", .does = "edit", .condition = KEY_WITH_EDITOR,
+     .meaning = "open the shader in your editor, $VISUAL or $EDITOR; each save is shown at once. A file that "
+                "is dropped on the window is opened: another shader, or a picture for this one",
+     .binding = {{GLFW_KEY_V, .act = edit}}},
     {.label = "H", .does = "hide overlay",
      .meaning = "hide or show the overlay; the table of a ray is hidden only in the slice and the plot",
      .binding = {{GLFW_KEY_H, .act = hide}}},

@@ -30,6 +30,12 @@ static bool rests(const struct window *window)
     return !window->moved && glfwGetTime() >= window->sharpening.due;
 }
 
+// The name of what is shown.
+static const char *name_of(const struct window *window)
+{
+    return window->opened[0] != '\0' ? window->opened : window->start->title;
+}
+
 void window_retitle(struct window *window)
 {
     char text[sizeof window->title.shown], name[76] = "", value[128] = "", rate[32] = "";
@@ -40,7 +46,7 @@ void window_retitle(struct window *window)
         comparison_parameter_name(window->renderer, parameter, name, sizeof name);
     if (window->pace.rate > 0.0 && !rests(window))
         snprintf(rate, sizeof rate, " - %.0f fps", window->pace.rate);
-    snprintf(text, sizeof text, "%.60s%s%s - %s%s%s%s%.60s%s", window->start->title,
+    snprintf(text, sizeof text, "%.60s%s%s - %s%s%s%s%.60s%s", name_of(window),
              window->broken ? " - error: see terminal" : "", rate,
              shader_view_name(window->renderer->view), parameter != NULL ? " - " : "", name,
              parameter != NULL ? " = " : "", value, window->paused ? " (paused)" : "");
@@ -94,7 +100,7 @@ static void fill_overlay(struct window *window)
     double scale = window->start->overlay_scale;
     window_list_keys(window);
     struct panel panel = {
-        .title = window->start->title,
+        .title = name_of(window),
         .renderer = window->renderer,
         .selected = window_selected(window),
         .rate = rests(window) ? 0.0 : window->panel.figures[0],

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 
 #define LONGEST_STEP 0.1 // maximum seconds of movement per step, even if a frame is slow
@@ -243,6 +244,13 @@ static void on_damage(GLFWwindow *window)
         input->show(input->to);
 }
 
+static void on_drop(GLFWwindow *window, int count, const char **paths)
+{
+    struct window_input *input = input_of(window);
+    if (count > 0)
+        snprintf(input->dropped, sizeof input->dropped, "%s", paths[0]);
+}
+
 void window_input_open(struct window_input *input, GLFWwindow *window, void (*show)(void *to),
                        void *to)
 {
@@ -261,4 +269,5 @@ void window_input_open(struct window_input *input, GLFWwindow *window, void (*sh
     glfwSetScrollCallback(window, on_wheel);
     glfwSetWindowFocusCallback(window, on_focus);
     glfwSetWindowRefreshCallback(window, on_damage);
+    glfwSetDropCallback(window, on_drop);
 }

@@ -64,7 +64,9 @@ struct window_input {
     // Since the last window_input_forget:
     struct window_event event[WINDOW_INPUT_EVENTS];
     int events;
-    bool damaged; // the window must be drawn again
+    bool damaged;       // the window must be drawn again
+    char dropped[4096]; // the first of the files that were dropped on the window; "" if there is
+                        // none. The reader clears it
     // Kept from frame to frame:
     bool typing;      // a field is open, so keys are characters; set by field.c
     bool picker_open; // Escape closes the colour picker; set by colour_picker.c

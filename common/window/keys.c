@@ -72,6 +72,8 @@ bool window_key_acts(struct window *window, enum key_condition condition)
         return window->renderer->fragment.dialect == DIALECT_COURSE;
     case KEY_WITH_TIME:
         return window_uses_time(window);
+    case KEY_WITH_EDITOR:
+        return !window->panel.in_page;
     case KEY_WITH_RAY:
         return window->inputs.pixel[0] >= 0;
     case KEY_WITH_PARAMETERS:

@@ -14,6 +14,7 @@ enum key_condition {
     KEY_WITH_CAMERA, // the shader reads the camera
     KEY_WITH_MARCH,  // the shader records its march
     KEY_WITH_TIME,   // the picture changes with time
+    KEY_WITH_EDITOR, // not in a web page
     KEY_WITH_RAY,
     KEY_WITH_PARAMETERS,
     KEY_WITH_HANDLES,

@@ -51,6 +51,7 @@ struct window {
     struct window_input input;
     struct watch watch;
     struct renderer_inputs inputs; // inputs of the next picture
+    char opened[256];              // name of the shader that was dropped; "" if there is none
     char parameter[64];            // name of the selected parameter
     bool second;                   // the selected parameter belongs to the second picture
     struct {

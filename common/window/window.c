@@ -75,6 +75,42 @@ static void reload(struct window *window)
     window->title.due = 0.0;
 }
 
+static bool ends_in(const char *path, const char *end)
+{
+    size_t length = strlen(path), last = strlen(end);
+    return length >= last && strcmp(path + length - last, end) == 0;
+}
+
+// The part of a path after the last separator of folders, of any system.
+static const char *file_name(const char *path)
+{
+    const char *name = path + strlen(path);
+    while (name > path && strchr("/\\", name[-1]) == NULL)
+        name--;
+    return name;
+}
+
+// Read a file that was dropped on the window: a picture for the shader, or another shader. Returns
+// false after showing the error if that is impossible.
+static bool open_dropped(struct window *window)
+{
+    struct loader *picture = &window->start->picture[0];
+    const char *path = window->input.dropped;
+    bool done;
+    if (ends_in(path, ".obj") || ends_in(path, ".OBJ"))
+        done = report("%s: make bake MESH=FILE computes its distances and shows it", path);
+    else if (ends_in(path, ".png") || ends_in(path, ".PNG"))
+        done = loader_give(picture, path);
+    else
+        done = loader_open(picture, path);
+    if (!done)
+        window_warn(window, report_last());
+    else if (picture->path == picture->other.path)
+        report_clean(window->opened, sizeof window->opened, file_name(picture->path));
+    window->input.dropped[0] = '\0';
+    return done;
+}
+
 // ---- The loop ----
 
 // Adopt the size of the framebuffer, which on a high-density display is larger than the window's.
@@ -145,6 +181,8 @@ static bool turn(struct window *window)
         window->pace.watch_due = now + WATCH_SECONDS;
         changed = watch_look(&window->watch);
     }
+    if (window->input.dropped[0] != '\0')
+        changed |= open_dropped(window);
     if (changed)
         shader_forget(window->renderer->gl);
     if (changed || (window->compiles && shader_ready(window->renderer->gl)))

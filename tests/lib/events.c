@@ -100,6 +100,19 @@ const char *events_clipboard(int text)
     return clipboards[text];
 }
 
+enum { DROPPED = EVENTS_FILES + 4 };
+
+const char *events_dropped(int file)
+{
+    static const char *const others[DROPPED - EVENTS_FILES] = {
+        "tests/references/03_shadows.png", "missing.png", "mesh.obj", "missing.frag"};
+    static char path[4096];
+    if (file < EVENTS_FILES)
+        return scratch_path(events_file[file]);
+    snprintf(path, sizeof path, "%s/%s", gpu_project_root(), others[file - EVENTS_FILES]);
+    return path;
+}
+
 struct maker {
     uint64_t *state;
     struct event *events;
@@ -260,6 +273,8 @@ void events_make(uint64_t *state, struct event *events, int count)
             type(&maker);
         else if (gesture < 93)
             change_window(&maker);
+        else if (gesture < 94)
+            add(&maker, (struct event){.kind = EVENTS_DROP, .i = any(&maker, DROPPED)});
         else if (gesture < 95)
             add(&maker,
                 (struct event){.kind = EVENTS_CLOCK, .x = any(&maker, 2) == 0 ? 0.5 : 100.0});

@@ -31,6 +31,7 @@ int events_random(uint64_t *state, int count);
     X(CLOCK, user.now += x)                                                                        \
     X(COST, user.pixel_seconds = x)                                                                \
     X(COPY, user.clipboard = events_clipboard(i))                                                  \
+    X(DROP, user_drop(events_dropped(i)))                                                          \
     X(SAVE, events_save(own, i, k))
 
 enum event_kind {
@@ -55,14 +56,18 @@ extern const char *const events_file[EVENTS_FILES];
 void events_save(const char *own, int file, int text);
 
 // Fill events with random gestures: keys with and without Shift, drags that leave the window, the
-// wheel, new sizes down to 1x1, the loss of the focus, edits of the shader. The first event says
-// how long a pixel takes to draw, and belongs before the program is opened.
+// wheel, new sizes down to 1x1, the loss of the focus, edits of the shader, dropped files. The
+// first event says how long a pixel takes to draw, and belongs before the program is opened.
 //   state   the state of events_random
 //   count   how many events
 void events_make(uint64_t *state, struct event *events, int count);
 
 // One of some texts for the clipboard, or NULL.
 const char *events_clipboard(int text);
+
+// The path of one of some files that are dropped on the window: the first is a shader of
+// EVENTS_FILES, and the others are pictures and files that cannot be shown.
+const char *events_dropped(int file);
 
 // Carry out an event; turn and own are those of EVENTS.
 void events_do(const struct event *event, void (*turn)(void), const char *own);

@@ -102,6 +102,11 @@ void user_resize(int width, int height)
     user.calls.damage(&the);
 }
 
+void user_drop(const char *path)
+{
+    user.calls.drop(&the, 1, &path);
+}
+
 void user_focus(bool focused)
 {
     user.unfocused = !focused;
@@ -429,6 +434,7 @@ KEEP(CursorPos, GLFWcursorposfun, pointed)
 KEEP(CursorEnter, GLFWcursorenterfun, entered)
 KEEP(Scroll, GLFWscrollfun, wheel)
 KEEP(WindowFocus, GLFWwindowfocusfun, focus)
+KEEP(Drop, GLFWdropfun, drop)
 KEEP(WindowRefresh, GLFWwindowrefreshfun, damage)
 #undef KEEP
 

@@ -43,6 +43,7 @@ struct user {
         GLFWscrollfun wheel;
         GLFWwindowfocusfun focus;
         GLFWwindowrefreshfun damage;
+        GLFWdropfun drop;
     } calls;
 };
 
@@ -79,6 +80,9 @@ void user_wheel(double notches);
 
 // Give the window a new size: its contents are lost, and the program is notified at once.
 void user_resize(int width, int height);
+
+// Drop a file on the window.
+void user_drop(const char *path);
 
 // Give the window the keyboard focus, or take it away; move the pointer into the window, or out of
 // it.

@@ -4,6 +4,7 @@
 #include "lib/compare.h"
 #include "lib/scratch.h"
 #include "lib/session.h"
+#include "platform.h"
 #include "shader/view.h"
 #include "window/keys.h"
 
@@ -360,6 +361,31 @@ SESSION_TEST(a_key_that_does_nothing_says_why)
         session_wait(6.0);
         assert_true(session_off(0, (const int[]){8, 130, 300, 60}) <= 0.0);
     }
+    session_close();
+}
+
+SESSION_TEST(a_key_opens_the_shader_in_an_editor)
+{
+    char text[4200], line[4200] = "";
+    FILE *file = NULL;
+    if (platform_display() == PLATFORM_OWN_DISPLAY)
+        return; // $VISUAL has no meaning there
+    scratch_write("flat.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.3); }");
+    snprintf(text, sizeof text, "echo \"$1\" >'%s'\n", scratch_path("opened"));
+    scratch_write("editor", text);
+    snprintf(text, sizeof text, "sh %s", scratch_path("editor"));
+    platform_set("VISUAL", text, true);
+    session_open(CHAPTER, "--size 320x200 --shader %s", scratch_path("flat.frag"));
+    session_key(GLFW_KEY_V);
+    for (double until = platform_seconds() + 60.0; platform_seconds() < until && line[0] == '\0';) {
+        file = fopen(scratch_path("opened"), "r");
+        if (file != NULL && fgets(line, sizeof line, file) == NULL)
+            line[0] = '\0';
+        if (file != NULL)
+            fclose(file);
+    }
+    line[strcspn(line, "\n")] = '\0';
+    assert_string_equal(line, scratch_path("flat.frag"));
     session_close();
 }
 

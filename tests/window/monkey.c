@@ -174,6 +174,7 @@ static void calm(void)
         user_key(GLFW_KEY_M, 0);
     if (session_window()->input.typing)
         user_key(GLFW_KEY_ESCAPE, 0);
+    user_drop(events_dropped(0)); // a file that was dropped may be missing
     if (session_window()->contents.open)
         user_key(GLFW_KEY_HOME, 0);
     turns(120);
@@ -246,7 +247,7 @@ static void move_to_scratch(void)
     static char root[4096];
     static const char *const folders[] = {"chapters", "docs"};
     if (realpath(gpu_project_root(), root) == NULL || chdir(scratch_path("")) != 0 ||
-        setenv("PROJECT_ROOT", root, 1) != 0)
+        setenv("PROJECT_ROOT", root, 1) != 0 || setenv("VISUAL", "true", 1) != 0)
         find("no folder for screenshots");
     for (int i = 0; i < 2; i++) {
         char target[4200];
@@ -269,7 +270,7 @@ static void run_sequence(const struct event *events, int count)
     const double memory = megabytes();
     for (int n = costs; n < count && !user.ended; n++) {
         events_do(&events[n], turn, the->stem);
-        saved |= events[n].kind == EVENTS_SAVE;
+        saved |= events[n].kind == EVENTS_SAVE || events[n].kind == EVENTS_DROP;
     }
     user.ended = false; // Backspace was among the keys
     if (!saved)

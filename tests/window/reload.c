@@ -1,5 +1,6 @@
 // reload.c - tests files that are saved while their window is open: shaders, their includes,
 // textures, and both shaders of a comparison.
+#include "lib/gpu.h"
 #include "lib/scratch.h"
 #include "lib/session.h"
 
@@ -201,6 +202,65 @@ SESSION_TEST(a_shader_without_the_view_shows_its_picture)
     assert_string_equal(said[1], "");
     session_assert_title(" - picture");
     assert_colour(0, 255);
+    session_close();
+}
+
+// Wait until the window's file has been read.
+static void drop(const char *path)
+{
+    user_drop(path);
+    session_wait(1.0);
+}
+
+SESSION_TEST(a_shader_that_is_dropped_is_shown_and_reloaded)
+{
+    const char *red = "void mainImage(out vec4 c, vec2 p) { c = vec4(1.0, 0.0, 0.0, 1.0); }";
+    session_open_bare("01_normal_colouring", SESSION_STILL);
+    scratch_write("red.frag", red);
+    drop(scratch_path("red.frag"));
+    session_assert_title("red.frag");
+    session_assert_shown("01_normal_colouring", SESSION_STILL " --shader %s",
+                         scratch_path("red.frag"));
+    scratch_write("red.frag",
+                  "void mainImage(out vec4 c, vec2 p) { c = vec4(0.0, 0.0, 1.0, 1.0); }");
+    session_wait(1.0);
+    session_assert_shown("01_normal_colouring", SESSION_STILL " --shader %s",
+                         scratch_path("red.frag"));
+    scratch_write("broken.frag", "void mainImage(");
+    session_said(2);
+    drop(scratch_path("broken.frag")); // the last good picture stays, until the file is mended
+    assert_non_null(strstr(session_said(2), "broken.frag"));
+    scratch_write("broken.frag", red);
+    session_wait(1.0);
+    session_assert_shown("01_normal_colouring", SESSION_STILL " --shader %s",
+                         scratch_path("broken.frag"));
+    session_close();
+}
+
+SESSION_TEST(pictures_that_are_dropped_fill_the_channels)
+{
+    char picture[2][4096], channels[8400];
+    for (int i = 0; i < 2; i++)
+        snprintf(picture[i], sizeof picture[i], "%s/tests/references/%s", gpu_project_root(),
+                 i == 0 ? "00_first_scene.png" : "03_shadows.png");
+    scratch_write("two.frag",
+                  "void mainImage(out vec4 c, vec2 p) { vec2 at = p / iResolution.xy;"
+                  "c = at.x < 0.5 ? texture(iChannel0, at) : texture(iChannel1, at); }");
+    session_open_bare("01_normal_colouring", "--size 320x200 --shader %s",
+                      scratch_path("two.frag"));
+    session_said(2); // the channels are black
+    drop(picture[0]);
+    drop(picture[1]);
+    session_said(2);
+    snprintf(channels, sizeof channels, "--channel 0=%s --channel 1=%s", picture[0], picture[1]);
+    session_assert_shown("01_normal_colouring", "--size 320x200 --shader %s %s",
+                         scratch_path("two.frag"), channels);
+    session_close();
+    session_open_bare("01_normal_colouring", SESSION_STILL); // it reads no picture
+    drop(picture[0]);
+    assert_non_null(strstr(session_said(2), "reads no picture"));
+    drop("mesh.obj");
+    assert_non_null(strstr(session_said(2), "make bake"));
     session_close();
 }
 
