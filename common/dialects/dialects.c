@@ -44,16 +44,15 @@ static bool check_image(const struct shader_source *source)
 
 // ---- The dialect ----
 
-// Determine the dialect. A file that defines main without the course's main.glsl is a whole shader,
-// whatever else it includes, unless it is the course's vertex shader.
+// Determine the dialect. A file that has a main without the course's main.glsl, perhaps in a macro,
+// is a whole shader, whatever else it includes, unless it is the course's vertex shader.
 static enum shader_dialect dialect_of(const struct shader_source *source)
 {
     const struct glsl *code = &source->code;
-    bool main = glsl_find_definition(code, "main") != NULL;
-    if (glsl_mentions(code, "mainImage") > 0 && !main)
+    if (glsl_find(code, "mainImage") != NULL && glsl_find_definition(code, "main") == NULL)
         return DIALECT_SHADERTOY;
-    bool whole = main && !shader_includes(source, "shaders/main.glsl") &&
-                 glsl_mentions(code, "gl_Position") == 0;
+    bool whole = glsl_find(code, "main") != NULL && glsl_mentions(code, "gl_Position") == 0 &&
+                 !shader_includes(source, "shaders/main.glsl");
     return source->version != 0 || whole ? DIALECT_WHOLE : DIALECT_COURSE;
 }
 
@@ -67,14 +66,26 @@ static bool take(struct shader_source *source)
 
 // ---- Checks after the driver's ----
 
-static bool explain(const struct shader_source *source, const char *log, bool linking)
+static bool explain(const struct shader_source *source, const char *log)
 {
     const struct glsl *code = &source->code;
     const struct glsl_token *cube = tool_inputs_cube_map(code),
                             *image = glsl_find(code, "mainImage");
     const struct input *input;
+    const struct glsl_token *pixel = glsl_find(code, "FC");
     if (glsl_mentions(code, "gl_Position") > 0)
         return !formats_refuse_vertex(source);
+    if (pixel != NULL && source->file_count == 1)
+        return !shader_refuse(
+            source, pixel->line,
+            "FC: a short name from twigl: write gl_FragCoord, declare uniform vec2 "
+            "resolution; and uniform float time; and put everything into void "
+            "main()");
+    if (glsl_find(code, "main") == NULL && image == NULL)
+        return !report("%s: draws no picture, because it has no main: write void main(), or "
+                       "mainImage as in Shadertoy, or begin with #include \"main.glsl\" as the "
+                       "chapters do",
+                       source->files[0]);
     for (int i = 0; source->dialect != DIALECT_COURSE && (input = tool_inputs_row(i)) != NULL;
          i++) {
         bool lacks = tool_inputs_lacks(source, input) && strstr(log, input->name) != NULL;
@@ -87,21 +98,8 @@ static bool explain(const struct shader_source *source, const char *log, bool li
                               "%s is read at a vec3, as a cube map or a volume, and neither is "
                               "supported here: a picture is read at a vec2",
                               cube->text);
-    bool toy = source->dialect == DIALECT_SHADERTOY;
-    const struct glsl_token *pixel = glsl_find(code, "FC");
-    if (pixel != NULL && source->file_count == 1)
-        return !shader_refuse(
-            source, pixel->line,
-            "FC: a short name from twigl: write gl_FragCoord, declare uniform vec2 "
-            "resolution; and uniform float time; and put everything into void "
-            "main()");
-    if (toy && image != NULL && strstr(log, "mainImage") != NULL)
-        return !refuse_image(source, image);
-    return !toy && (linking || strstr(log, "Missing main()") != NULL) &&
-           glsl_mentions(code, "main") == 0 &&
-           !report("%s: draws no picture, because it has no main: write void main(), or mainImage "
-                   "as in Shadertoy, or begin with #include \"main.glsl\" as the chapters do",
-                   source->files[0]);
+    return source->dialect == DIALECT_SHADERTOY && image != NULL &&
+           strstr(log, "mainImage") != NULL && !refuse_image(source, image);
 }
 
 // True if the code may write a colour, perhaps through a macro.

@@ -280,7 +280,8 @@ static bool put_foreign(struct export *e)
     bool old = output.kind == DECLARED_NONE;
     free(front);
     free(body);
-    put_undefined(e, "gl_FragCoord"); // Shadertoy's own main uses it
+    put_undefined(e, "main"); // Shadertoy's own code follows
+    put_undefined(e, "gl_FragCoord");
     if (!wraps)
         return true;
     fprintf(e->text, "\n// ---- The function that Shadertoy calls ----\n\n");

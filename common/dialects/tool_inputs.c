@@ -130,7 +130,7 @@ static int common_length(const char *one, const char *other)
 
 const struct input *tool_inputs_nearest(const char *name)
 {
-    const struct input *best = tool_inputs_find("FragCoord");
+    const struct input *best = NULL;
     int length = 3; // a common part of at most three letters is not similar enough
     for (int i = 0; i < COUNT(rows); i++) {
         int common = common_length(name, rows[i].name);

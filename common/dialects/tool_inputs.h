@@ -19,8 +19,7 @@ bool tool_inputs_is_shadertoy(const struct input *input);
 // True for any name that Shadertoy declares, even if the input is not supported here.
 bool tool_inputs_is_toys(const char *name);
 
-// The input whose name is most similar to the given name, for messages; FragCoord if none is
-// similar.
+// The input whose name is most similar to the given name, for messages; NULL if none is similar.
 const struct input *tool_inputs_nearest(const char *name);
 
 // The first mention of a channel that is read as a cube map, or NULL if there is none.

@@ -22,8 +22,7 @@ char *shader_text(const struct shader_source *source, enum shader_view view)
 static void report_failure(const struct shader_source *source, enum shader_view view,
                            const char *step, const char *log)
 {
-    if (log != NULL && dialects.explain != NULL &&
-        dialects.explain(source, log, strcmp(step, "link") == 0))
+    if (log != NULL && dialects.explain != NULL && dialects.explain(source, log))
         return;
     char *errors = shader_explain(source, view, log != NULL ? log : "");
     char *text = memory_text("%s: does not %s:\n%s", source->files[0], step, errors);

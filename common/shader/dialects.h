@@ -35,10 +35,9 @@ struct dialects {
     // Report in the author's terms why a shader cannot run, if the driver's log does not help: for
     // example, the shader needs something that is not supported, has no main, or is not a fragment
     // shader.
-    //   log      the driver's log
-    //   linking  the shader has compiled but did not link
+    //   log  the driver's log
     // Returns false without reporting an error if no such cause is found.
-    bool (*explain)(const struct shader_source *source, const char *log, bool linking);
+    bool (*explain)(const struct shader_source *source, const char *log);
 
     // A text that a driver has refused, with a decimal point after integers in expressions with
     // floats, which only desktop GLSL converts. The caller frees it.

@@ -148,7 +148,8 @@ const struct glsl_token *glsl_find(const struct glsl *code, const char *word);
 const struct glsl_token *glsl_find_next(const struct glsl *code, const struct glsl_token *after,
                                         const char *word);
 
-// The mention of a word as the name in a function's definition; NULL if there is none.
+// The mention of a word, not of a macro, as the name in a function's definition; NULL if there is
+// none.
 const struct glsl_token *glsl_find_definition(const struct glsl *code, const char *word);
 
 // The first call of a function of this name; a prototype or a definition is not a call. NULL if

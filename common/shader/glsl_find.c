@@ -26,7 +26,7 @@ const struct glsl_token *glsl_find_definition(const struct glsl *code, const cha
     const struct glsl_token *at = NULL;
     do
         at = glsl_find_next(code, at, word);
-    while (at != NULL && (at[1].sign != '(' || glsl_next(code, at + 1)->sign != '{'));
+    while (at != NULL && (at->macro || at[1].sign != '(' || glsl_next(code, at + 1)->sign != '{'));
     return at;
 }
 

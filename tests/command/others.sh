@@ -156,7 +156,7 @@ malformed() { # DIALECT BEGINNING
 }
 deep=$(printf '%100000s' '' | tr ' ' '(') close=$(tr '(' ')' <<<"$deep")
 malformed course '#include "main.glsl"'
-malformed whole '#version 330 core'
+malformed whole $'#version 330 core\nvoid main() {}'
 malformed toy "$head {}"
 # A sum of 40,000 terms uses up the stack of some drivers' compilers; other drivers render it.
 endures() {

@@ -301,7 +301,8 @@ IN_PROJECT(test_inputs_and_textures_are_checked_and_translated)
     assert_refused("in ivec2 FragCoord; " WRITES, "in ivec2 FragCoord: FragCoord is a vec2 here");
     assert_refused("flat in mat2 Time; " WRITES,
                    "in mat2 Time: Time is a float here: declare it as");
-    assert_refused("layout(location = 3) in vec2 k; " WRITES, "in vec2 k: there is no such input");
+    assert_refused("layout(location = 3) in vec2 k; " WRITES,
+                   "in vec2 k: comes from a vertex shader");
     assert_refused("varying vec2 k, vTexCoor; out vec4 A; void main() { A = vTexCoor.xyxy; }\n",
                    "the nearest is vTexCoord");
     assert_dialect("#version 330 core\n#ifdef OLD\nin vec2 k;\n#else\nfloat k;\n#endif\n" WRITES,
