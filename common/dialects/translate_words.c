@@ -34,11 +34,15 @@ static const struct {
                {"dmat3", "mat3", TO_WEB},
                {"dmat4", "mat4", TO_WEB}};
 
-// Words that WebGL defines or reserves, but that another version of GLSL leaves to the author.
-static const char *const reserved[] = {
-    "texture", "sample",    "patch", "resource", "round",       "roundEven",   "trunc",
-    "sinh",    "cosh",      "tanh",  "asinh",    "acosh",       "atanh",       "inverse",
-    "isnan",   "transpose", "isinf", "modf",     "determinant", "outerProduct"};
+// Words that desktop drivers, and those that WebGL defines or reserves, but that another version of
+// GLSL leaves to the author.
+static const char *const desktop_words[] = {"texture", "packed", "row_major", NULL},
+                         *const web_words[] = {
+                             "texture",   "sample", "patch", "resource",    "round",
+                             "roundEven", "trunc",  "sinh",  "cosh",        "tanh",
+                             "asinh",     "acosh",  "atanh", "inverse",     "isnan",
+                             "transpose", "isinf",  "modf",  "determinant", "outerProduct",
+                             NULL};
 
 static bool is_targeted(const struct translation *t, int when)
 {
@@ -152,9 +156,9 @@ static void mark_names(struct translation *t)
 {
     const struct input *input;
     struct declared at = {.code = t->code};
-    for (size_t i = 0; i < COUNT(reserved); i++)
-        if ((t->web || i == 0) && is_taken(t->code, reserved[i]))
-            mark_own(t, reserved[i]);
+    for (const char *const *word = t->web ? web_words : desktop_words; *word != NULL; word++)
+        if (is_taken(t->code, *word))
+            mark_own(t, *word);
     if (!t->exported)
         return;
     for (int i = 0; i < t->source->input_count; i++)
