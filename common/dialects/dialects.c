@@ -86,6 +86,11 @@ static bool explain(const struct shader_source *source, const char *log)
                        "mainImage as in Shadertoy, or begin with #include \"main.glsl\" as the "
                        "chapters do",
                        source->files[0]);
+    if (source->version > 330 && strstr(log, "not supported") != NULL &&
+        strstr(log, "ersion") != NULL)
+        return !shader_refuse(source, glsl_find(code, "version")->line,
+                              "#version %d: this driver does not have it: write #version 330",
+                              source->version);
     for (int i = 0; source->dialect != DIALECT_COURSE && (input = tool_inputs_row(i)) != NULL;
          i++) {
         bool lacks = tool_inputs_lacks(source, input) && strstr(log, input->name) != NULL;

@@ -72,6 +72,7 @@ static int put_meaning(struct export *e, const struct input *input)
                              [INPUT_MOUSE] = {"iMouse", 4},
                              [INPUT_POINTER] = {"iMouse", 4},
                              [INPUT_POINTER_SHARE] = {"(iMouse.xy / iResolution.xy)", 2},
+                             [INPUT_SOUND_RATE] = {"iSampleRate", 1},
                              [INPUT_ASPECT] = {"(iResolution.x / iResolution.y)", 1}};
     const float *const camera[] = {[INPUT_EYE] = e->camera->position,
                                    [INPUT_RIGHT] = e->basis.right,

@@ -30,14 +30,13 @@
 static const struct input toys[] = {
     FLOAT("iFrameRate", RATE), CHANNEL("iChannel0", 0), CHANNEL("iChannel1", 1),
     CHANNEL("iChannel2", 2), CHANNEL("iChannel3", 3),
-    {"iChannelResolution", "vec3[4]", INPUT_CHANNEL_SIZE, -1, ""}
+    {"iChannelResolution", "vec3[4]", INPUT_CHANNEL_SIZE, -1, ""}, FLOAT("iSampleRate", SOUND_RATE)
 };
 
 static const struct input rows[] = {
-    // Shadertoy's old name for iTime, and two inputs that are not supported
+    // Shadertoy's old name for iTime, and an input that is not supported
     FLOAT("iGlobalTime", TIME),
     {"iChannelTime", "float[4]", INPUT_REFUSED, 0, "there are no films or sounds here"},
-    {"iSampleRate", "float", INPUT_REFUSED, 0, SOUND},
     // The Book of Shaders, glslViewer, glsl.app
     VEC2("u_resolution", SIZE), FLOAT("u_time", TIME), VEC2("u_mouse", POINTER),
     FLOAT("u_delta", STEP), VEC4("u_date", DATE), INT("u_frame", FRAME), CHANNEL("u_tex0", 0),

@@ -52,7 +52,7 @@ static char *driver_prelude(const struct translation *t, const char *inputs, con
     char *prelude;
     FILE *text = memory_open(&prelude);
     if (version > 330)
-        fprintf(text, "#version %d core\n%s", version, extensions);
+        fprintf(text, "#version %d core\n%s", version < 450 ? version : 450, extensions);
     else
         fprintf(text, GL_GLSL_WITH("%s%s"),
                 GL_IS_ES ? "" : "#extension GL_ARB_shading_language_420pack : enable\n",

@@ -93,7 +93,8 @@ static void set_inputs(const struct renderer *renderer, const struct renderer_in
         [INPUT_FORWARD] = {basis.forward[0], basis.forward[1], basis.forward[2]},
         [INPUT_FOCAL] = {renderer->focal_length},
         [INPUT_ORTHO] = {(float)renderer->orthographic},
-        [INPUT_ASPECT] = {width / height}};
+        [INPUT_ASPECT] = {width / height},
+        [INPUT_SOUND_RATE] = {44100.0f}};
     renderer->gl->Uniform3f(renderer->used[UNIFORM_harnessResolution], width, height, 1.0f);
     inputs_set(renderer->gl, &renderer->fragment, location, value);
 }

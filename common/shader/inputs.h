@@ -27,6 +27,7 @@ enum input_meaning {
     INPUT_FOCAL,                  // focal length
     INPUT_ORTHO,                  // 0 perspective, 1 orthographic
     INPUT_ASPECT,                 // width divided by height
+    INPUT_SOUND_RATE,             // samples of sound per second
     INPUT_ZERO,                   // always 0
     INPUT_VALUES,                 // the number of meanings above
     INPUT_CHANNEL = INPUT_VALUES, // the picture of a channel

@@ -145,6 +145,9 @@ crowd() { # FORMAT: true if a shader after 30,000 lines of this format is white;
 check 'a shader with thirty thousand uniforms is drawn' crowd 'uniform float u%d;'
 check 'a shader with thirty thousand #ifdef lines is drawn' crowd $'#ifdef A%d\nfloat a%d;\n#endif'
 
+MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330 refused version 'version.frag:1: #version 430: this driver does not have it: write #version 330$' \
+    'a version that the driver does not have is refused' <<<"#version 430
+out vec4 c; void main() { c = vec4(1.0); }"
 malformed() { # DIALECT BEGINNING
     local name=malformed_$1
     refused "$name" 'never closed: write \*/ at its end$' "$1: a comment that is not closed is refused" < <(printf '%s\n/*' "$2"; cat "$scratch/white.frag")
