@@ -159,8 +159,7 @@ struct kind {
 
 static const struct kind *kind_of(const struct shader_source *source, int channel)
 {
-    static const struct kind kinds[] = {{"texture", "a picture", false},
-                                        {"buffer", "a buffer, the picture of another pass", false},
+    static const struct kind kinds[] = {{"buffer", "a buffer, the picture of another pass", false},
                                         {"keyboard", "the keyboard", true},
                                         {"cubemap", "a cube map", false},
                                         {"volume", "a volume", false},
@@ -251,13 +250,6 @@ bool tool_inputs_refuse(const struct shader_source *source, const struct input *
         return shader_refuse(source, line,
                              "%s is not supported: %s: compute the value in the shader",
                              input->name, input->text);
-    const struct kind *kind = kind_of(source, input->channel);
-    if (kind != NULL && strcmp(kind->was, "texture") != 0)
-        return shader_refuse(source, line, "%s is read as %s, which is not supported here",
-                             input->name, kind->words);
-    if (GL_IS_ES)
-        return shader_refuse(source, line, "%s has no picture: this page cannot read your pictures",
-                             input->name);
-    return shader_refuse(source, line, "%s has no picture: give --channel %d=FILE.png", input->name,
-                         input->channel);
+    return shader_refuse(source, line, "%s is read as %s, which is not supported here", input->name,
+                         kind_of(source, input->channel)->words);
 }

@@ -29,7 +29,7 @@ const struct glsl_token *tool_inputs_cube_map(const struct glsl *code);
 bool tool_inputs_is_own(const struct shader_input *in);
 
 // True if an input has no value here and every picture would be wrong without it: it is not
-// supported, or it is a channel without a picture of which the file says what it contains.
+// supported, or it is a channel without a picture that, as the file says, contains no picture.
 bool tool_inputs_lacks(const struct shader_source *source, const struct input *input);
 
 // True if a picture has the size that an INPUT_CHANNEL_SIZE tells.
