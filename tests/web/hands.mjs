@@ -89,6 +89,33 @@ for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
     await page.close();
 }
 
+// ---- Words in a sentence ----
+
+for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
+    ({page, said} = await open('09_sky_and_sunset.html', context));
+    const sun = page.locator('.sheet-word[data-name=sun]').nth(1), capped = page.locator('.sheet-word[data-name=capped]');
+    const lit = () => page.evaluate(() => [...document.querySelectorAll('.sheet-point.lit')].map((one) => `${one.closest('figure-sheet').getAttribute('name')} ${one.dataset.name}`).join());
+    await sun.scrollIntoViewIfNeeded();
+    if (context === DESK) {
+        await sun.hover();
+        check(`${name}: under the mouse, a word lights the point of the nearest figure, and of no other`, await lit() === '09_scattered sun', await lit());
+        await page.mouse.move(5, 5);
+        check(`${name}: the point is no longer lit when the mouse leaves the word`, await lit() === '', await lit());
+    }
+    await sun[context === DESK ? 'click' : 'tap']();
+    check(`${name}: a press on a word lights the point`, await lit() === '09_scattered sun', await lit());
+    const value = () => page.evaluate(() => document.querySelector('figure-sheet[name="09_towers"]').parameter('capped').value[0]);
+    const before = await value();
+    await capped.focus();
+    await page.keyboard.press('Enter');
+    check(`${name}: a word with a value sets it in the figure, which is then in sight`, before === 1 && await holds(page, async () => await value() === 0 && await page.evaluate(() => {
+        const {top, bottom} = document.querySelector('figure-sheet[name="09_towers"] .sheet-screen').getBoundingClientRect();
+        return top >= 0 && bottom <= innerHeight && !document.querySelector('figure-sheet[name="09_towers"] input').checked;
+    })));
+    check(`${name}: the console reports no error`, said.length === 0, said);
+    await page.close();
+}
+
 // ---- Sculpted clay ----
 
 for (const [name, context] of [['mouse', DESK], ['finger', PHONE]]) {
