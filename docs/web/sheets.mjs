@@ -63,8 +63,8 @@ export function textureOf(file) {
 // The camera's axes, which the text contains as constants: right, up and forward.
 const axesOf = (text) => ['Right', 'Up', 'Forward'].map((name) => new RegExp(`const\\s+vec3\\s+iCamera${name} = vec3\\(([^)]*)\\)`).exec(text)[1].split(',').map(Number));
 
-// The functions of projection.glsl that find a point in space in the picture.
-const projection = () => /^\/\/ The offset from a pixel.*?(?=^#endif)/ms.exec(fs.readFileSync('shaders/projection.glsl', 'utf8'))[0];
+// The functions of positions.glsl that find a point in space in the picture.
+const projection = () => /^\/\/ The offset from a pixel.*?(?=^#endif)/ms.exec(fs.readFileSync('shaders/positions.glsl', 'utf8'))[0];
 
 // What sheet.js needs to draw a figure.
 //   file  the shader, in chapters/figures/
