@@ -236,6 +236,7 @@ store() { # FOLDER
 }
 
 [ -n "${EXERCISE-}" ] || fail 2 "which exercise? For example: make check EXERCISE=03_2 FILE=my.frag"
+[[ $EXERCISE != [0-9]_* ]] || EXERCISE=0$EXERCISE # 3_2 is 03_2
 [[ $EXERCISE =~ ^([0-9][0-9]|engine)_[0-9]+$ ]] || fail 2 "EXERCISE=$EXERCISE: must be a chapter, or engine, and a number, such as 03_2 or engine_1"
 stem=$(basename "$(echo chapters/"${EXERCISE%%_*}"_*.c)" .c)
 wanted=$(pictures_of "$stem" "${EXERCISE#*_}")

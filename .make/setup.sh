@@ -2,7 +2,7 @@
 # setup.sh [--check|--all] SET... - make sure that this machine has everything that the sets need.
 #
 # Sets: run (build and render), test, lint, fuzz, book, web (the programs in a browser), windows (the cross build), wine
-# (to test the cross build), student (the course for students), fresh (bare machines to test on).
+# (to test the cross build), student (the course for students), film, fresh (bare machines to test on).
 #
 # If nothing is missing, this script only looks for files and commands, and uses neither the network nor the package
 # manager. As root, it installs whatever is missing. With a terminal, it says what it will install, and installs it with
@@ -235,6 +235,11 @@ need_student() {
     need 'zip' 'zip|zip|zip|zip' has_command zip
 }
 
+need_film() {
+    need_run
+    need 'ffmpeg' 'ffmpeg|ffmpeg-free|ffmpeg|ffmpeg|ffmpeg' has_command ffmpeg
+}
+
 need_fresh() {
     need 'debootstrap' 'debootstrap|-|-|-' has_command debootstrap
     need 'git' 'git|git|git|git' has_command git
@@ -249,13 +254,14 @@ look() {
         lint) need_lint ;;
         fuzz) need_fuzz ;;
         book) need_book ;;
+        film) need_film ;;
         fresh) need_fresh ;;
         student) need_student ;;
         web) need_web ;;
         windows) need_windows ;;
         wine) need_wine ;;
         *)
-            printf 'setup.sh: %s: no such set: the sets are run, test, lint, fuzz, book, web, windows, wine, student and fresh\n' "$set" >&2
+            printf 'setup.sh: %s: no such set: the sets are run, test, lint, fuzz, book, web, windows, wine, student, film and fresh\n' "$set" >&2
             exit 2
             ;;
         esac

@@ -24,6 +24,7 @@ uniform float turn;         // 52 in [-360, 360] step 2, degrees: angle of the t
 uniform float turnSpeed;    // 12 in [-90, 90] step 2, degrees per second: speed of the turntable
 uniform float normalStep;   // 1 in [0.02, 3] step 0.05, cells: step of the differences for the normal
 uniform float grain;        // 1 in [0, 4] step 0.25: how uneven the clay is
+uniform bool  eyes;         // true: paint the elephant's eyes
 uniform float exposure;     // 0 in [-4, 4] step 0.25, stops: each doubles the light
 uniform int   maxSteps;     // 96 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
@@ -105,7 +106,7 @@ Surface clayAt(vec3 p, vec3 normal)
     vec3 slope = rotationY(radians(turn + turnSpeed * iTime)) * fine.yzw;
     vec3 bumped = normalize(normal - 0.02 * grain * (slope - dot(slope, normal) * normal));
     vec3 colour = CLAY * (1.0 + grain * 0.12 * fine.x);
-    bool pupil = dot(eye, eye) < 0.0011;
+    bool pupil = eyes && dot(eye, eye) < 0.0011;
     return Surface(p, pupil ? normal : bumped, pupil ? vec3(0.012) : colour, pupil ? 0.18 : 0.62, 0.04);
 }
 

@@ -3,13 +3,13 @@
 //
 // The library is in shaders/. To use its functions, include one of its files, as below.
 
+uniform float radius; // 1 in [0.1, 3], scene units: radius of the ball; the arrow keys change it
+
 #include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
 #include "normal.glsl"     // normalAt
 #include "primitives.glsl" // sdSphere, sdBox and others
-
-uniform float radius; // 1 in [0.1, 3], scene units: radius of the ball; the arrow keys change it
 
 // The ray of a pixel.
 Ray pixelRay(vec2 screen)
