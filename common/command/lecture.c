@@ -233,7 +233,8 @@ static bool is_alike(const struct scene *a, const struct scene *b)
 {
     const struct options *one = &a->run.options, *two = &b->run.options;
     bool alike = strcmp(a->run.shader, b->run.shader) == 0 && one->compares == two->compares &&
-                 same_text(one->compare, two->compare) && one->texture_count == two->texture_count;
+                 same_text(one->compare, two->compare) && same_text(one->include, two->include) &&
+                 one->texture_count == two->texture_count;
     for (int i = 0; i < 4 && alike; i++)
         alike = same_text(one->channels[i], two->channels[i]);
     for (int i = 0; i < one->texture_count && alike; i++)

@@ -61,6 +61,7 @@ struct options {
     struct camera from;        // camera of the ray of --probe; meaningful when has_from
     struct window_start start; // what only a window needs; run_window_start adds the rest
     const char *shader;        // --shader, or NULL for the chapter's own
+    const char *include;       // --include, or NULL
     const char *root;          // --root; NULL if it is found from the program's folder
 };
 

@@ -263,6 +263,12 @@ static bool set_shader(struct options *options, const char *text)
     return text[0] != '\0' || refuse("shader", text, "must name a file");
 }
 
+static bool set_include(struct options *options, const char *text)
+{
+    options->include = text;
+    return text[0] != '\0' || refuse("include", text, "must name a folder");
+}
+
 static bool set_root(struct options *options, const char *text)
 {
     options->root = text;
@@ -293,6 +299,8 @@ const struct options_row options_rows[] = {
      "change the clay of chapter 23 along points; A: radius; repeatable", ""},
     {"", "channel", " N=FILE.png", set_channel, OPTIONS_RUN,
      "picture of channel N of a shader from elsewhere, N from 0 to 3", ""},
+    {"", "include", " DIR", set_include, OPTIONS_RUN,
+     "another folder whose files the shader may include", ""},
     {"-c,", "camera", " X,Y,Z,PAN,TILT", set_camera, OPTIONS_RUN,
      "position in scene units and direction in degrees", "the chapter's own"},
     {"-a,", "samples", " N", set_samples, OPTIONS_RUN, "N x N samples per pixel, 1 to 8", "1"},

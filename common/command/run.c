@@ -99,6 +99,7 @@ static int read_shader(struct run *run, int number, const char *path)
     picture->request.textures = options->textures;
     picture->request.texture_count = options->texture_count;
     picture->request.channels = options->channels;
+    picture->request.include = options->include;
     if (!loader_read(picture))
         return RUN_NOT_DONE;
     // A texture or a channel that the second shader does not have is ignored.

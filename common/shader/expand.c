@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "context/gl.h"
 #include "memory.h"
 #include "platform.h"
 #include "report.h"
@@ -54,8 +55,13 @@ static bool include(struct expansion *e, struct shader_line from, const char *na
         return report("%s: files are not downloaded: save this one beside the shader and include "
                       "the copy",
                       where);
+    const char *also = source->include != NULL     ? ", in --include, in shaders/ or in chapters/"
+                       : strchr(name, '/') == NULL ? ", in shaders/ or in chapters/"
+                       : GL_IS_ES ? ", in shaders/ or in chapters/: drop the folder that has it"
+                                  : ", in shaders/ or in chapters/: give --include DIR, the folder "
+                                    "that has it";
     int count = source->file_count;
-    int file = files_find(source, from.file, name, folders, ", in shaders/ or in chapters/", why);
+    int file = files_find(source, from.file, name, folders, also, why);
     if (file < 0)
         return report("%s: %s", where, why);
     for (int i = 0; i < e->depth; i++)
@@ -232,6 +238,14 @@ bool shader_expand(struct shader_source *source, const char *path, const char *r
     if (request != NULL)
         source->request = *request;
     char *resolved = source->root != NULL ? platform_resolve(path) : NULL;
+    const char *include = source->request.include;
+    source->include = include != NULL ? platform_resolve(include) : NULL;
+    if (include != NULL && source->include == NULL) {
+        report("--include %s: cannot be read: %s", include, platform_why(errno));
+        free(resolved);
+        shader_free(source);
+        return false;
+    }
     if (resolved == NULL) {
         struct platform_file file;
         int why = errno;

@@ -74,13 +74,19 @@ static char *resolve(const struct shader_source *source, int from, const char *n
                      const char *const folders[], const char *where, char why[TEXT_FILE_WHY])
 {
     const char *slash = strrchr(source->files[from], '/');
+    const char *include = source->include;
     char beside[PLATFORM_PATH], path[3 * PLATFORM_PATH];
     files_folder(source->paths[from], beside);
     if (!is_portable(name, folders[0] + 1, why))
         return NULL;
-    for (int i = 0; i == 0 || folders[i - 1] != NULL; i++) {
-        snprintf(path, sizeof path, "%s%s/%s", i == 0 ? beside : source->root,
-                 i == 0 ? "" : folders[i - 1], name);
+    for (int i = 0; i < 2 || folders[i - 2] != NULL; i++) {
+        if (i == 1 && include == NULL)
+            continue;
+        snprintf(path, sizeof path, "%s%s/%s",
+                 i == 0   ? beside
+                 : i == 1 ? include
+                          : source->root,
+                 i < 2 ? "" : folders[i - 2], name);
         char *resolved = platform_resolve(path);
         files_visit(source, resolved != NULL ? resolved : path);
         if (resolved == NULL && (errno == ENOENT || errno == ENOTDIR))
@@ -88,8 +94,11 @@ static char *resolve(const struct shader_source *source, int from, const char *n
         const char *other = resolved != NULL ? other_case(name, resolved) : NULL;
         if (resolved == NULL)
             snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", platform_why(errno));
-        else if (!inside(resolved, source->root) && !inside(resolved, source->own))
-            snprintf(why, TEXT_FILE_WHY, "lies outside the project and the shader's own folder");
+        else if (!inside(resolved, source->root) && !inside(resolved, source->own) &&
+                 (include == NULL || !inside(resolved, include)))
+            snprintf(why, TEXT_FILE_WHY,
+                     "lies outside the project and the shader's own folder: give --include DIR, a "
+                     "folder that contains it");
         else if (other == NULL)
             return resolved;
         else
@@ -106,7 +115,8 @@ static char *resolve(const struct shader_source *source, int from, const char *n
 }
 
 // The name of a file in messages: for the first file, the name as it was given; for any other file,
-// a name relative to the project or to the folder of the first file. Returns memory that the caller
+// a name relative to the project, or below the name of the request's folder or of that of the first
+// file. Returns memory that the caller
 // frees.
 static char *name_of(const struct shader_source *source, const char *given, const char *resolved)
 {
@@ -114,6 +124,8 @@ static char *name_of(const struct shader_source *source, const char *given, cons
         return memory_text("%s", given);
     if (inside(resolved, source->root))
         return memory_text("%s", within(resolved, source->root));
+    if (source->include != NULL && inside(resolved, source->include))
+        return memory_text("%s/%s", source->request.include, within(resolved, source->include));
     const char *first = source->files[0], *slash = strrchr(first, '/');
     int folder = slash == NULL ? 0 : (int)(slash - first) + 1;
     return memory_text("%.*s%s", folder, first, within(resolved, source->own));

@@ -42,6 +42,7 @@ void shader_free(struct shader_source *source)
     free(source->unset);
     free(source->root);
     free(source->own);
+    free(source->include);
     glsl_free(&source->code);
     *source = (struct shader_source){0};
 }

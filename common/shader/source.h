@@ -31,6 +31,7 @@ struct shader_request {
     void *to;                    // passed to visit
     const char *const *textures; // NAME=FILE, where FILE replaces the picture of the sampler NAME
     int texture_count;
+    const char *include; // another folder whose files may be read; NULL if there is none
     // Four files for Shadertoy's iChannel0 to 3, each NULL if it is not given; NULL if none is
     // given.
     const char *const *channels;
@@ -62,16 +63,18 @@ struct shader_source {
     char **files;    // the names to print, with '?' for control characters; files[0] is the shader
     char **paths;    // the resolved paths of these files, to watch for changes
     int file_count;
-    char *root, *own; // the project's folder and that of the first file, resolved
+    char *root, *own,
+        *include; // the project's folder, the first file's and the request's, resolved
     struct shader_request request;
 };
 
 // Read a shader and expand its includes.
 //   path     the shader's file, or an export from Shadertoy, whose passes are read; the file is
 //            read as text_file_read describes
-//   root     the project's folder; an include is looked for next to the including file, then in
-//            root/shaders, then in root/chapters, but never outside root and path's own folder;
-//            each file is included once, and the line of an include stays as a comment
+//   root     the project's folder; an include is looked for next to the including file, then in the
+//            request's folder, in root/shaders and in root/chapters, but never outside root, path's
+//            own folder and the request's; each file is included once, and the line of an include
+//            stays as a comment
 //   request  the options; may be NULL
 // Two directives of Shader Toy, an extension for VS Code, are understood: #iUniform becomes an
 // annotated uniform, and #iChannel0 names a picture next to its file, or tells what the channel
@@ -85,8 +88,8 @@ bool shader_expand(struct shader_source *source, const char *path, const char *r
                    const struct shader_request *request);
 
 // Find a picture that a shader names, and add it to the source's files. The picture is looked for
-// next to the file that names it, then in root/shaders/textures, but never outside root and the
-// first file's own folder.
+// next to the file that names it, then in the request's folder and in root/shaders/textures, but
+// never outside root, the first file's own folder and the request's.
 //   from  index of the file that names the picture
 //   why   receives the reason on failure, as a phrase
 // Returns the picture's index among the files, or -1 without reporting an error.

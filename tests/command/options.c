@@ -96,6 +96,7 @@ TEST(options_have_long_and_short_spellings)
     }
     ACCEPTED("-o a.png -o b.png -s 1x1 -s 16384x16384 -t 1 -t -2 -a 1 -a 8", // the last one counts
              same(o.output, "b.png") && o.width == 16384 && o.time == -2.0 && o.samples == 8);
+    ACCEPTED("--include a --include ../b", same(o.include, "../b"));
     ACCEPTED("-f --size", same(o.shader, "--size"));
     ACCEPTED("-o A.PNG", same(o.output, "A.PNG"));
 }
@@ -274,6 +275,7 @@ static const char *const mistakes[][2] = {
     {"-b vulkan", "use glfw, egl or osmesa"},
     {"-f ''", "--shader"},
     {"--root ''", "--root"},
+    {"--include ''", "--include"},
     // Films and steps.
     {"--frames 0 -o %d.png", "--frames '0': must be a whole number of pictures"},
     {"--frames 100001 -o %d.png", "between 1 and 100000"},
@@ -375,7 +377,8 @@ TEST(the_help_names_the_options)
                                         "--print-shader",      "--list",
                                         "-h, --help",          "-V, --version",
                                         "Exit status: 0",      "W A S D",
-                                        "--compare [FILE]",    "--divider FRACTION"};
+                                        "--compare [FILE]",    "--divider FRACTION",
+                                        "--include DIR"};
     char help[8192];
     FILE *file = system_open_scratch();
     options_print_help(file, "./prog", "A title", "What it shows.");

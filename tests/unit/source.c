@@ -250,6 +250,51 @@ IN_PROJECT(test_paths_out_of_the_project_are_refused)
     assert_refused("#include \"c:leaf.glsl\"\n", "main.frag:1: ", "absolute");
 }
 
+// A file in the request's folder may be read, under a name below that of the folder, but none
+// beside that folder.
+IN_PROJECT(test_the_request_names_another_folder)
+{
+    static const char first[] = "#include \"../lib/fill.glsl\"\n#include \"lib/fill.glsl\"\n"
+                                "#include \"lib/more.glsl\"\n";
+    static const struct {
+        const char *text, *folder, *words;
+    } refused[] = {{first, NULL,
+                    "one.frag:1: #include \"../lib/fill.glsl\": lies outside the project and the "
+                    "shader's own folder: give --include DIR, a folder that contains it"},
+                   {first + 27, NULL,
+                    "no such file beside one.frag, in shaders/ or in chapters/: give --include"},
+                   {first, "deck/lib",
+                    "one.frag:2: #include \"lib/fill.glsl\": no such file beside one.frag, "
+                    "in --include"},
+                   {first, "gone", "/gone: cannot be read"},
+                   {"#include \"../../deck.glsl\"\n", "deck", "deck.glsl\": lies outside"}};
+    struct shader_source source;
+    scratch_write("deck/lib/fill.glsl", "float fill();\n");
+    scratch_write("deck/lib/more.glsl", "#include \"fill.glsl\"\nfloat more();\n");
+    scratch_write("deck.glsl", "secret\n");
+    for (size_t i = 0; i <= sizeof refused / sizeof *refused; i++) {
+        bool all = i == sizeof refused / sizeof *refused;
+        const char *path = scratch_write("deck/cards/one.frag", all ? first : refused[i].text),
+                   *folder = all ? "deck" : refused[i].folder;
+        const struct shader_request request = {.include =
+                                                   folder != NULL ? scratch_path(folder) : NULL};
+        capture_begin();
+        bool done = shader_expand(&source, path, scratch_path("root"), &request);
+        const char *said = capture_end();
+        if (all)
+            assert_true(done);
+        else if (done || line_count(said) != 1 || strstr(said, refused[i].words) == NULL)
+            fail_msg("expected one line with '%s', not: %s", refused[i].words, said);
+    }
+    assert_string_equal(source.text, "// #include \"../lib/fill.glsl\"\nfloat fill();\n"
+                                     "// #include \"lib/fill.glsl\"\n"
+                                     "// #include \"lib/more.glsl\"\n"
+                                     "// #include \"fill.glsl\"\nfloat more();\n");
+    assert_int_equal(source.file_count, 3);
+    assert_string_equal(source.files[1], scratch_path("deck/lib/fill.glsl"));
+    shader_free(&source);
+}
+
 IN_PROJECT(test_links_out_of_the_project_are_refused)
 {
     scratch_write("secret.glsl", "secret\n");
