@@ -20,8 +20,9 @@ scratch=$(mktemp -d "${TMPDIR:-/tmp}/ray-benchmark.XXXXXX") || exit 1
 margin() {
     case $1 in
     01* | 02* | 03* | 04* | 05* | 08*) echo hitThreshold ;;
-    06* | 09*) echo 'hitThreshold + footprint * pixelSpread() * t' ;;
-    07*) echo 'hitThreshold + 2.0 * pixelSpread() * t' ;;
+    06*) echo 'hitThreshold + footprint * pixelSpread() * t' ;;
+    07*) echo 'hitThreshold + 0.25 * pixelSpread() * t' ;;
+    09*) echo 'hitThreshold + 0.5 * footprint * pixelSpread() * t' ;;
     11* | 12* | 13*) echo 'hitThreshold + pixelSpread() * t' ;;
     esac
 }

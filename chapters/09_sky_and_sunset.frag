@@ -86,13 +86,14 @@ struct Surface {
 };
 
 // The march finds towers, lamps and trees. The ground is the lower face of the box that limits the
-// march.
+// march. A surface counts as reached within half the radius of the ray, so that outlines grow by only
+// a quarter of a pixel.
 Surface surfaceAlong(Ray ray)
 {
     float spread = footprint * pixelSpread();
     vec3 foot = vec3(ray.origin.x, 0.0, ray.origin.z);
     vec2 interval = boxInterval(ray, foot - vec3(FAR, 0.0, FAR), foot + vec3(FAR, TALLEST, FAR));
-    Hit hit = marchCone(ray, interval.x, min(interval.y, FAR), hitThreshold, spread, maxSteps);
+    Hit hit = marchCone(ray, interval.x, min(interval.y, FAR), hitThreshold, 0.5 * spread, maxSteps);
     float t = hit.found ? hit.t : interval.y, width = 2.0 * spread * t;
     vec3 p = ray.origin + t * ray.direction;
     bool ground = !hit.found && p.y < 0.01, met = hit.found || ground;

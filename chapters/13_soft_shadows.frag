@@ -18,7 +18,7 @@ uniform int   rays;         // 4 in [1, 8]: rays per side: with shadow 3 each sa
 uniform float sunElevation; // 29 in [5, 80] step 1, degrees: height of the sun above the horizon
 uniform float sunAzimuth;   // 214 in [0, 360] step 2, degrees: azimuth of the sun, from the right towards the viewer
 uniform float sunSpeed;     // 3 in [0, 90] step 1, degrees per second: speed of the sun's azimuth
-uniform int   maxSteps;     // 96 in [1, 512]: steps after which a ray is abandoned
+uniform int   maxSteps;     // 128 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
 // The floor is the plane y = 0. It is not part of the distance: a division finds where a ray meets

@@ -17,7 +17,7 @@ uniform float hoursPerSecond; // 0.1 in [0, 4] step 0.05, hours per second: spee
 uniform float sunRadius;      // 0.267 in [0.1, 5] step 0.1, degrees: the true radius is 0.267, the article's 2.9
 uniform float exposure;       // 0 in [-8, 8] step 0.5, stops: added to the exposure of the hour
 uniform float swell;          // 0.04 in [0, 0.2] step 0.01: slope of the waves
-uniform int   maxSteps;       // 128 in [1, 512]: steps after which a ray is abandoned
+uniform int   maxSteps;       // 160 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.01 in [0.00001, 0.2] step *2, metres: distance at the eye that counts as a hit
 
 // x points north, y up, z east; at the start the camera looks west. One scene unit is one metre.
@@ -136,7 +136,8 @@ Surface surfaceAlong(Ray ray)
     vec2 slope = sea ? waveSlope(ray.origin.xz + toSea * d.xz, 2.0 * pixelSpread() * toSea / down) : vec2(0.0);
     bend = 2.0 * slope;
     vec2 interval = intervalUnion(boxInterval(ray, LAND_LOW, LAND_HIGH), boxInterval(ray, PINE_LOW, PINE_HIGH));
-    Hit hit = marchCone(ray, interval.x, interval.y, hitThreshold, pixelSpread(), maxSteps);
+    // sceneDistance is about 0.4 of the distance, and so is the threshold: outlines grow by half a pixel.
+    Hit hit = marchCone(ray, interval.x, interval.y, hitThreshold, 0.4 * pixelSpread(), maxSteps);
     // Waves too small for a pixel raise the mirrored direction a little.
     vec3 leaves = sea ? normalize(vec3(d.x + bend.x * down, down + 0.02, d.z + bend.y * down)) : d;
     return Surface(ray.origin + hit.t * d, hit.found, sea && (!hit.found || hit.t > toSea), leaves, down);

@@ -34,8 +34,8 @@ uniform float wind;           // 0.3 in [0, 1] step 0.05: roughness of the water
 uniform float mist;           // 0.005 in [0, 0.1] step 0.001, per scene unit: share of light lost in the clear air at the water
 uniform float exposure;       // 0 in [-6, 6] step 0.25, stops: added to the exposure of the hour
 uniform float omega;          // 1.3 in [1, 1.95] step 0.05, distances: length of a step
-uniform float footprint;      // 1 in [0, 8] step 0.25, half pixels: how fast the threshold grows along the ray
-uniform int   maxSteps;       // 256 in [1, 512]: steps after which a ray is abandoned
+uniform float footprint;      // 0.25 in [0, 8] step 0.05, half pixels: how fast the threshold grows along the ray
+uniform int   maxSteps;       // 384 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.0002 in [0.00001, 0.1] step *2, scene units: distance at the eye that counts as a hit
 
 const float FAR = 160.0;       // a ray that has travelled this far meets the sky

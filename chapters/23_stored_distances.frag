@@ -26,7 +26,7 @@ uniform float normalStep;   // 1 in [0.02, 3] step 0.05, cells: step of the diff
 uniform float grain;        // 1 in [0, 4] step 0.25: how uneven the clay is
 uniform bool  eyes;         // true: paint the elephant's eyes
 uniform float exposure;     // 0 in [-4, 4] step 0.25, stops: each doubles the light
-uniform int   maxSteps;     // 96 in [1, 512]: steps after which a ray is abandoned
+uniform int   maxSteps;     // 128 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
 // The grid is the cube from -1 to 1. The elephant stands on a turntable, and the turntable on a table, the plane
@@ -34,6 +34,7 @@ uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, scene units: dis
 const float TOP = -0.562, TABLE = -0.78;
 const vec3  LOW = vec3(-1.1, TABLE, -1.1), HIGH = vec3(1.1, 0.9, 1.1); // box around the elephant and the turntable
 const float FAR = 40.0;
+const float CONE = 0.012;                            // radius of the cone of a shadow ray where it starts
 const vec3  TO_KEY = vec3(-0.7428, 0.5571, 0.3714);   // direction of the large lamp on the left, length 1
 const vec3  TO_RIM = vec3(0.6805, 0.3889, -0.6211);   // direction of the lamp behind the elephant, on the right
 const vec3  KEY_COLOUR = vec3(3.6, 2.95, 2.25);       // light on a surface that faces the lamp, linear RGB
@@ -84,9 +85,10 @@ float cameraRoom(vec3 p)
     return min(sceneDistance(p), p.y - TABLE) - 0.05;
 }
 
+// A step is at least the distance / sqrt(3), so with this threshold outlines grow by at most half a pixel.
 float coarseMargin(float t)
 {
-    return hitThreshold + pixelSpread() * t;
+    return hitThreshold + 0.5773502 * pixelSpread() * t;
 }
 
 // ---- Surfaces ----
@@ -146,12 +148,13 @@ float openAt(vec3 p, vec3 normal)
     return max(1.0 - 0.8 * hidden / 3.0, 0.0);
 }
 
-vec3 surfaceLight(Surface s, vec3 toEye, float radius)
+vec3 surfaceLight(Surface s, vec3 toEye)
 {
-    Ray toKey = shadowRay(s.p, s.normal, TO_KEY, 4.0 * radius);
+    // The cone starts where it touches nothing yet: a step is at least the distance / sqrt(3).
+    Ray toKey = shadowRay(s.p, s.normal, TO_KEY, 1.7320508 * CONE);
     vec2 box = boxInterval(toKey, LOW, HIGH);
     float far = shadowReach(s.normal, TO_KEY, box.y);
-    float seen = coneReaching(toKey, box.x, far, 0.012, 0.16, 48);
+    float seen = coneReaching(toKey, box.x, far, CONE, 0.16, 48);
     float open = openAt(s.p, s.normal);
     vec3 sky = mix(BOUNCE_COLOUR, FILL_COLOUR, 0.5 + 0.5 * s.normal.y);
     vec3 light = s.colour * sky * skyAndBounces(open, s.colour, 2);
@@ -168,7 +171,7 @@ vec3 rayColour(Ray ray)
 {
     float ground = ray.direction.y < 0.0 ? min((TABLE - ray.origin.y) / ray.direction.y, FAR) : FAR;
     vec2 box = boxInterval(ray, LOW, HIGH);
-    Hit hit = marchCone(ray, max(box.x, coarseStart(ray)), min(box.y, ground), hitThreshold, pixelSpread(), maxSteps);
+    Hit hit = marchCone(ray, max(box.x, coarseStart(ray)), min(box.y, ground), hitThreshold, 0.5773502 * pixelSpread(), maxSteps);
     float t = hit.found ? hit.t : ground, radius = hitThreshold + pixelSpread() * t;
     vec3 p = ray.origin + t * ray.direction;
     bool clay = hit.found && turntableDistance(p) > 2.0 * radius;
@@ -176,7 +179,7 @@ vec3 rayColour(Ray ray)
     Surface surface = standAt(p, normal, !hit.found);
     if (clay)
         surface = clayAt(p, normal);
-    vec3 light = surfaceLight(surface, -ray.direction, radius);
+    vec3 light = surfaceLight(surface, -ray.direction);
     vec2 screen = screenPosition(vec2(iPixel) + 0.5);
     float fade = hit.found ? 0.0 : smoothstep(3.0, 8.0, t);
     return developed(mix(light, backdrop(screen), fade));

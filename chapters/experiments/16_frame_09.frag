@@ -20,7 +20,7 @@ Hit crossingFromCoarse(Ray ray, float tMin, float tMax, float threshold, float s
 
 float coarseMargin(float t)
 {
-    return hitThreshold + footprint * pixelSpread() * t;
+    return hitThreshold + 0.5 * footprint * pixelSpread() * t;
 }
 
 // cityDistance, written out: terms that its parts share are computed once, and a term that a

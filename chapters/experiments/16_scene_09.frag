@@ -5,5 +5,5 @@
 
 float coarseMargin(float t)
 {
-    return hitThreshold + footprint * pixelSpread() * t;
+    return hitThreshold + 0.5 * footprint * pixelSpread() * t;
 }

@@ -48,8 +48,8 @@ void main()
         vec4 ends = mod(floor(number / vec4(1.0, 5.0, 25.0, 125.0)), 5.0);
         FragColor = vec4(intervalUnion(ends.xy, ends.zw), 0.0, 0.0);
     } else {
-        // Each row has a constant width, from 0 to 0.5, and positions in three periods.
-        float x = mod(number, 1024.0) / 341.0 - 1.0, width = floor(gl_FragCoord.y) / 30.0;
-        FragColor = vec4(x, width, stripes(x, 0.5, width), coverage(x, width));
+        // Each row has a constant width, from 0 to 1.5, stripes of one of four widths, and positions in three periods.
+        float row = floor(gl_FragCoord.y), x = mod(number, 1024.0) / 341.0 - 1.0, width = row / 10.0;
+        FragColor = vec4(x, width, stripes(x, 0.025 + 0.25 * mod(row, 4.0), width), coverage(x, width));
     }
 }
