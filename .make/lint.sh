@@ -94,11 +94,16 @@ expand() { # SHADER
     name=$scratch/${name//\//-}
     if [ "${1##*.}" = glsl ]; then
         shader=$name.stub.frag
-        # The annotated uniform makes it a shader of the course, which knows the names of the views.
-        printf 'uniform float stub; // 1 in [0, 2]: unused\n#include "%s"\n' "${1##*/}" >"$shader"
+        printf '#include "%s"\n' "${1##*/}" >"$shader"
         grep -qE 'void main\(\)|include "main.glsl"' "$1" || printf 'void main() {}\n' >>"$shader"
     fi
-    build/00_first_scene --shader "$shader" --print-shader >"$name.frag" && printf '%s\n' "$name.frag"
+    build/00_first_scene --shader "$shader" --print-shader >"$name.frag" || return
+    # A shader with a main of its own is not the course's, so the names of the views are missing.
+    if ! grep -q '^#define VIEW ' "$name.frag"; then
+        build/01_normal_colouring --print-shader | sed -n 's/^#define VIEW.*/&/p' >"$name.views"
+        sed -i.old "1r $name.views" "$name.frag"
+    fi
+    printf '%s\n' "$name.frag"
 }
 
 # Print the name of the list of the files that the checkers read for a source, with their checksums.

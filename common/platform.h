@@ -113,9 +113,9 @@ enum platform_display platform_display(void);
 //   lost  receives what happened, as the end of a sentence whose subject is the display
 void platform_watch_display(void (*lost)(const char *what));
 
-// Open a file in the user's editor, $VISUAL or $EDITOR, or in the program that the system uses for it,
-// and do not wait. A message on standard error says if there is none. Returns false if no program can
-// be started here.
+// Open a file in the user's editor, $VISUAL or $EDITOR, or in the program that the system uses for
+// it, and do not wait. A message on standard error says if there is none. Returns false if no
+// program can be started here.
 bool platform_edit(const char *path);
 
 // ---- Crashes and memory ----

@@ -207,7 +207,7 @@ static bool complete(struct options *options)
 
 bool options_parse(struct options *options, int argc, char **argv)
 {
-    *options = (struct options){.samples = 1, .step = -1};
+    *options = (struct options){.samples = 1, .step = -1, .start.smooths = true};
     options->settings = memory_zeros((size_t)argc, sizeof *options->settings);
     options->probe = memory_zeros((size_t)argc, sizeof *options->probe);
     options->probe_text = memory_zeros((size_t)argc, sizeof *options->probe_text);

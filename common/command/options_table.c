@@ -177,6 +177,7 @@ static bool set_step(struct options *options, const char *text)
 
 static bool set_samples(struct options *options, const char *text)
 {
+    options->start.smooths = false; // the window shows exactly what was asked for
     return number_read_int(text, 1, OPTIONS_SAMPLES_LIMIT, &options->samples) ||
            refuse("samples", text,
                   "must be a whole number between 1 and %d: N x N samples per pixel",

@@ -30,6 +30,7 @@ static void quit(struct window *window)
 static void shoot(struct window *window)
 {
     window->shooting = true;
+    window->stale |= window->sharpening.smooths; // a screenshot is the picture of a command
 }
 
 static void edit(struct window *window)

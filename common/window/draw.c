@@ -18,11 +18,14 @@
 #define FIGURES_SECONDS 0.25 // between two updates of the overlay's frame rate
 // The time for which the picture must be at rest before it is sharpened. It is longer than the time
 // between two repeats of a held key.
-#define REST_SECONDS  0.3
-#define PIECE_SECONDS 0.05 // spent on sharpening between two checks of the input
-#define TRIAL_SECONDS 0.02 // a trial picture that takes longer is the last
-#define TRIAL_FINEST  12   // the finest level of a trial picture
-#define GROWTH_TRIED  16.0 // a picture with this many times more pixels than the last is tried
+#define REST_SECONDS 0.3
+// The time after which a picture at rest is drawn again, with SMOOTH x SMOOTH samples for a pixel.
+#define SMOOTH_SECONDS 1.0
+#define SMOOTH         3
+#define PIECE_SECONDS  0.05 // spent on sharpening between two checks of the input
+#define TRIAL_SECONDS  0.02 // a trial picture that takes longer is the last
+#define TRIAL_FINEST   12   // the finest level of a trial picture
+#define GROWTH_TRIED   16.0 // a picture with this many times more pixels than the last is tried
 
 // True if nothing has moved for a while, so that the rate of earlier frames is meaningless.
 static bool rests(const struct window *window)
@@ -88,6 +91,8 @@ static int sharp_percent(const struct window *window)
 {
     const struct renderer_inputs *inputs = &window->sharpening.inputs;
     double pixels = (double)inputs->width * window->sharpening.rows + window->sharpening.columns;
+    if (window->sharpening.smooths)
+        return 100;
     return pixels > 0.0 ? (int)ceil(100.0 * pixels / pixels_of(inputs)) : 0;
 }
 
@@ -207,17 +212,45 @@ static bool draw_picture(struct window *window, double now)
     window->sharpening.inputs = window->inputs;
     window->sharpening.rows = window->sharpening.columns = 0;
     window->sharpening.seconds = 0.0;
+    window->sharpening.smooths = false;
     window->sharpening.next =
         fmin(PIECE_SECONDS * drawn / (window->pace.seconds + 1e-9), 64.0 * window->inputs.width);
     window->inputs.frame++;
     return true;
 }
 
+// True if the picture is at rest, complete, and still to be drawn with smooth edges. In a page, the
+// picture of a program is compared with that of a file.
+static bool begins_to_smooth(const struct window *window, double now)
+{
+    bool complete = window->pace.resolution.level == 0 ||
+                    window->sharpening.rows == window->sharpening.inputs.height;
+    return window->start->smooths && complete && !window->sharpening.smooths && !window->shooting &&
+           !window->panel.in_page && window->renderer->view == VIEW_PICTURE &&
+           now >= window->sharpening.due - REST_SECONDS + SMOOTH_SECONDS;
+}
+
 bool window_sharpens(const struct window *window, double now)
 {
-    return window->pace.resolution.level > 0 &&
-           window->sharpening.rows < window->sharpening.inputs.height &&
-           now >= window->sharpening.due;
+    bool pieces = window->pace.resolution.level > 0 || window->sharpening.smooths;
+    return begins_to_smooth(window, now) ||
+           (pieces && window->sharpening.rows < window->sharpening.inputs.height &&
+            now >= window->sharpening.due);
+}
+
+// Begin to draw the picture once more. The complete picture stays below the new rows.
+static void begin_to_smooth(struct window *window)
+{
+    struct renderer *renderer = window->renderer;
+    if (window->pace.resolution.level > 0) {
+        struct target complete = renderer->sharp;
+        renderer->sharp = renderer->picture;
+        renderer->picture = complete;
+    }
+    window->sharpening.smooths = true;
+    window->sharpening.rows = window->sharpening.columns = 0;
+    window->sharpening.inputs.samples = SMOOTH;
+    window->sharpening.next /= SMOOTH * SMOOTH;
 }
 
 // Return the next piece of the sharp picture: some rows, or a part of one row if a whole row takes
@@ -238,10 +271,12 @@ static struct renderer_piece next_piece(const struct window *window)
 // wait.
 static bool sharpen(struct window *window)
 {
+    double begin = glfwGetTime();
+    if (begins_to_smooth(window, begin))
+        begin_to_smooth(window);
     const struct renderer_inputs *inputs = &window->sharpening.inputs;
     struct renderer_piece piece = next_piece(window);
     int rows = piece.top - piece.bottom, columns = piece.right - piece.left;
-    double begin = glfwGetTime();
     if (!renderer_sharpen(window->renderer, inputs, &piece))
         return false;
     window->renderer->gl->Finish();
@@ -252,7 +287,7 @@ static bool sharpen(struct window *window)
     window->sharpening.next =
         fmin((double)rows * columns * fmin(PIECE_SECONDS / (seconds + 1e-9), 2.0),
              4096.0 * inputs->width);
-    if (window->sharpening.rows < inputs->height)
+    if (window->sharpening.rows < inputs->height || window->sharpening.smooths)
         return true;
     window->pace.seconds = window->sharpening.seconds;
     resolution_learn(&window->pace.resolution, window->pace.seconds, pixels_of(inputs));
@@ -266,7 +301,7 @@ static void show_picture(struct window *window)
     const struct renderer_inputs *inputs = &window->sharpening.inputs;
     double begin = glfwGetTime();
     renderer_present(renderer, inputs->width, inputs->height);
-    if (window->pace.resolution.level == 0)
+    if (window->pace.resolution.level == 0 || window->sharpening.smooths)
         return;
     renderer->gl->Finish();
     resolution_learn_enlarging(&window->pace.resolution, glfwGetTime() - begin, pixels_of(inputs));

@@ -25,6 +25,7 @@ struct window_start {
     double time;             // the initial time, in seconds
     bool paused;             // the time is stopped until Escape is pressed
     int samples;             // samples along each side of a pixel
+    bool smooths;            // a picture at rest is drawn again with smooth edges
     struct strokes *strokes; // strokes from the command line; the pointer adds more; not owned
     double overlay_scale;    // 0 to derive the scale from the picture's height and pixel density
     bool overlay_kept;       // screenshots show the overlay too

@@ -100,6 +100,7 @@ struct window {
         int columns;                   // number of sharp pixels in the row below them
         double next;                   // number of pixels to sharpen next
         double seconds;                // time that drawing the sharp pixels took
+        bool smooths;                  // they are drawn for the second time, with smooth edges
     } sharpening;
     struct {
         struct overlay overlay;

@@ -84,6 +84,8 @@ int session_setup(void **unused)
     return scratch_setup(unused);
 }
 
+bool session_smooths;
+
 static void close_program(void)
 {
     if (session.run != NULL)
@@ -113,7 +115,9 @@ static void open_window(const char *stem, const char *options, va_list values)
     char *word, *rest = session.line;
     int count = 0;
     int used = snprintf(rest, sizeof session.line, "%s --root %s ", stem, gpu_project_root());
-    vsnprintf(rest + used, sizeof session.line - (size_t)used, options, values);
+    used += vsnprintf(rest + used, sizeof session.line - (size_t)used, options, values);
+    if (!session_smooths && strstr(rest, "--samples") == NULL)
+        snprintf(rest + used, sizeof session.line - (size_t)used, " --samples 1");
     while ((word = strtok(count == 0 ? rest : NULL, " ")) != NULL && count < ARGUMENTS)
         session.argument[count++] = word;
     session.argument[count] = NULL;

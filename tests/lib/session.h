@@ -21,6 +21,10 @@ int session_teardown(void **unused);
 //   options  the options of the command line, as a format of printf
 void session_open(const char *stem, const char *options, ...) __attribute__((format(printf, 2, 3)));
 
+// False, so that sessions begin with --samples 1 and a picture at rest stays that of the command
+// line.
+extern bool session_smooths;
+
 // Open a chapter like session_open, and press H: the window then shows only the picture.
 void session_open_bare(const char *stem, const char *options, ...)
     __attribute__((format(printf, 2, 3)));

@@ -9,7 +9,7 @@
 #include "lib/session.h"
 #include "report.h"
 
-#define STILL "--camera 1.65,1.6,3.4,-26,-23.5"
+#define STILL "--samples 1 --camera 1.65,1.6,3.4,-26,-23.5"
 #define SIZE  "--size 320x180 "
 
 static const char *const stems[] = {
@@ -92,7 +92,8 @@ static void assert_scene(const char *stem, const char *options)
 SESSION_TEST(page_keys_change_the_scene)
 {
     open_text("# mine\n01 " STILL "\n  The picture.\n\n"
-              "01 " STILL " --view normals\n  Its\n  normals.\n3 --time 1 --set lampSpeed=50\n");
+              "01 " STILL
+              " --view normals\n  Its\n  normals.\n3 --samples 1 --time 1 --set lampSpeed=50\n");
     session_keep(0);
     assert_scene(stems[1], STILL);
     assert_true(session_off(0, (const int[]){9, 152, 50, 18}) > 0.2);  // the caption is gone

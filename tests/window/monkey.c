@@ -261,6 +261,7 @@ static void run_sequence(const struct event *events, int count)
 {
     bool saved = false;
     session_setup(NULL);
+    session_smooths = true;
     move_to_scratch();
     const bool costs = count > 0 && events[0].kind == EVENTS_COST;
     user.pixel_seconds = costs ? events[0].x : 0.0;

@@ -281,4 +281,35 @@ SESSION_TEST(the_table_of_a_march_has_no_column_without_a_step)
     session_close();
 }
 
+static void assert_smooth(int samples)
+{
+    session_assert_shown(CHAPTER, LARGE " --samples %d", samples);
+}
+
+// A second after the last movement, and after a screenshot, which has one sample.
+SESSION_TEST(edges_are_smooth_at_rest)
+{
+    for (int heavy = 0; heavy < 2; heavy++) {
+        session_smooths = true;
+        session_open_bare(CHAPTER, LARGE);
+        assert_smooth(1);
+        if (heavy)
+            make_heavy();
+        for (int i = 0; i < 2; i++) {
+            disturb();
+            session_wait(0.9);
+            if (!heavy)
+                assert_smooth(1);
+            session_wait(20.0);
+            assert_smooth(3);
+            session_assert_screenshot(CHAPTER, LARGE);
+            session_wait(20.0);
+            assert_smooth(3);
+        }
+        session_close();
+        user_reset();
+        session_smooths = false;
+    }
+}
+
 TESTS(NULL, NULL)
