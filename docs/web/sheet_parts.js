@@ -107,11 +107,11 @@ addEventListener('load', () => { for (const {textures = []} of Object.values(win
 for (const word of document.querySelectorAll('.sheet-word')) {
     const {name, value} = word.dataset, middle = (one) => { const {top, bottom} = one.getBoundingClientRect(); return (top + bottom) / 2; }, far = (one) => Math.abs(middle(one) - middle(word));
     const sheet = () => [...document.querySelectorAll('figure-sheet')].filter((one) => one.parameter(name) && one.checkVisibility()).sort((a, b) => far(a) - far(b))[0];
-    if (value === undefined) for (const [event, on] of [['pointerenter', true], ['focus', true], ['pointerleave', false], ['blur', false]]) word.addEventListener(event, () => sheet()?.light(name, on));
+    if (value === undefined) for (const event of ['pointerenter', 'pointerleave', 'focus', 'blur']) word.addEventListener(event, () => sheet()?.light(name, word.matches(':hover, :focus')));
     word.addEventListener('click', () => {
         const at = sheet();
         at?.screen.scrollIntoView({block: 'nearest', behavior: matchMedia('(prefers-reduced-motion: reduce)').matches ? 'instant' : 'smooth'});
-        if (value === undefined) at?.light(name, true);
+        if (value === undefined) word.focus({preventScroll: true}); // some browsers focus no button that is pressed
         else value.split(',').forEach((part, i) => at?.set(name, part === 'true' ? 1 : Number(part) || 0, i));
     });
 }

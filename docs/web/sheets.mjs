@@ -75,7 +75,7 @@ function dataOf(file, stem) {
     // A number with a label is written by the page.
     text = text.replace(PENS, (line) => /[A-Z]+ =/.exec(line)[0].slice(0, -2) in pens ? '' : line).replace(/\bnumber\(\w[^,]*, (.*)\);\s*\/\/ (.*#.*)$/gm, (_, values, label) => `tell(${labels.push(label) - 1}, ${values});`);
     if (inSpace) text += projection();
-    const {shader, names} = shrink(text, ['mainImage', ...(inSpace ? ['projectedPixel'] : [])], ['tell', 'iSigns', ...Object.keys(pens), ...[...found, ...textures].map(({name}) => name)]);
+    const {shader, names} = shrink(text, ['mainImage', ...(inSpace ? ['projectedPixel'] : [])]);
     const data = {shader, parameters: found.filter(({name}) => names.has(name)), labels, textures: textures.filter(({name}) => names.has(name)), axes: inSpace && axesOf(text)};
     return Object.fromEntries(Object.entries(data).filter(([, value]) => value && value.length !== 0));
 }
@@ -115,7 +115,7 @@ export function sheetOf(stem, line, img, inPage = true) {
     const sliders = data.parameters.filter(({handle, type}) => !handle || type === 'vec3').map(slider);
     return `<figure-sheet name="${name}"${values.length > 0 ? ` values="${escaped(values.join(' '))}"` : ''}><div class="sheet-screen">${img}${points.join('')}</div>`
         + `<div class="sheet-bar">${sliders.join('')}<span>${/\biTime\b/.test(data.shader) ? '<button type="button" class="sheet-play">Play</button>' : ''}<button type="button" class="sheet-reset" aria-label="Reset figure ${name}">Reset</button>`
-        + `${inPage ? '<button type="button" class="sheet-edit" aria-label="Edit figure ${name}">Edit</button>' : ''}</span></div></figure-sheet>`;
+        + `${inPage ? `<button type="button" class="sheet-edit" aria-label="Edit figure ${name}">Edit</button>` : ''}</span></div></figure-sheet>`;
 }
 
 const namesIn = (html) => [...new Set([...html.matchAll(/<figure-sheet name="(\w+)"/g)].map(([, name]) => name))];

@@ -1,9 +1,8 @@
-// shrink.mjs - reduces a shader to what a page uses of it, without comments, directives and long names. The text is one
-// that --print-shader=page printed: it compiles, and its macros have no parameters.
+// shrink.mjs - reduces a shader to what a page uses of it, without comments and directives. The text is one that
+// --print-shader=page printed: it compiles, and its macros have no parameters. Names stay long, because the shaders of a
+// page share most functions, which compress to nothing if they are equal.
 
 const TOKEN = /\s+|[A-Za-z_]\w*|0x[\da-fA-F]+u?|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[uUfF]?|<<=|>>=|\+\+|--|<<|>>|[-+*/%&|^=!<>]=|&&|\|\||\^\^|[^]/g;
-const TYPES = new Set(`void bool int uint float vec2 vec3 vec4 ivec2 ivec3 ivec4 uvec2 uvec3 uvec4 bvec2 bvec3 bvec4 mat2 mat3 mat4 mat2x3 mat3x2
-    mat2x4 mat4x2 mat3x4 mat4x3 sampler2D sampler3D isampler2D usampler2D`.split(/\s+/));
 const isWord = (token) => /^[A-Za-z_]/.test(token ?? '');
 const tokensOf = (text) => (text.match(TOKEN) ?? []).filter((token) => token.trim() !== '');
 
@@ -95,52 +94,6 @@ function withoutPrototypes(declarations) {
     });
 }
 
-// ---- Names ----
-
-// The names that a declaration declares in its parameters and its body, and the members of a structure.
-function localsOf({tokens}, types) {
-    const found = [];
-    for (let i = 0; i + 1 < tokens.length; i++) {
-        if (!types.has(tokens[i]) || !isWord(tokens[i + 1]) || tokens[i - 1] === '.') continue;
-        found.push(tokens[i + 1]);
-        if (tokens[i + 2] === '(') continue;
-        for (let at = i + 2, depth = 0; at < tokens.length && depth >= 0 && tokens[at] !== ';'; at++) {
-            depth += '{(['.includes(tokens[at]) - '})]'.includes(tokens[at]);
-            if (depth === 0 && tokens[at] === ',' && !types.has(tokens[at + 1]) && !['const', 'in', 'out', 'inout'].includes(tokens[at + 1])) found.push(tokens[at + 1]);
-        }
-    }
-    return found;
-}
-
-const FIRST = 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ';
-const nameOf = (i) => i < FIRST.length ? FIRST[i] : nameOf(Math.floor(i / FIRST.length) - 1) + FIRST[i % FIRST.length];
-
-// Give short names to all that the text declares, the most frequent ones first, except to `kept`, to members of
-// structures, which look like components of vectors, and to variables with the name of a built-in function.
-function renamed(declarations, kept) {
-    const structs = declarations.filter(({tokens}) => tokens[0] === 'struct'), types = new Set([...TYPES, ...structs.map(({names}) => names[0])]);
-    const members = new Set(structs.flatMap((one) => localsOf(one, types))), declared = new Map();
-    for (const one of declarations) for (const name of [...one.names, ...localsOf(one, types)]) declared.set(name, 0);
-    const used = new Set(), called = new Set(declarations.filter(({tokens}) => tokens[0] === 'struct' || tokens.at(-1) === '}').map(({names}) => names[0])), builtIn = new Set();
-    for (const {tokens} of declarations) {
-        tokens.forEach((token, i) => {
-            if (!isWord(token)) return;
-            if (tokens[i + 1] === '(' && !called.has(token)) builtIn.add(token);
-            if (declared.has(token) && tokens[i - 1] !== '.') declared.set(token, declared.get(token) + 1);
-            else used.add(token);
-        });
-    }
-    const map = new Map(), able = [...declared].filter(([name]) => !kept.includes(name) && !members.has(name) && !builtIn.has(name)).sort((a, b) => b[1] - a[1] || (a[0] < b[0] ? -1 : 1));
-    const taken = new Set([...used, ...kept, ...members, ...builtIn, ...TYPES, 'do', 'if', 'in']);
-    let i = 0;
-    for (const [name] of able) {
-        let short = nameOf(i++);
-        while (taken.has(short)) short = nameOf(i++);
-        map.set(name, short);
-    }
-    return declarations.map(({names, tokens}) => ({names: names.map((name) => map.get(name) ?? name), tokens: tokens.map((token, k) => tokens[k - 1] === '.' ? token : map.get(token) ?? token)}));
-}
-
 // ---- Text ----
 
 const shortNumber = (token) => /^(?:\d+\.\d*|\.\d+)$/.test(token) ? token.replace(/(\.\d*?)0+$/, '$1').replace(/^0+(?=\.\d)/, '') : token;
@@ -157,8 +110,7 @@ function joined(tokens) {
 // Reduce a shader. Returns its text, and the names that it still declares.
 //   text   what --print-shader=page printed
 //   roots  the functions that the page calls; all that they do not use is removed
-//   kept   other names that the page sets or declares
-export function shrink(text, roots, kept) {
+export function shrink(text, roots) {
     const found = withoutPrototypes(needed(declarationsOf(preprocessed(text)), roots));
-    return {shader: joined(renamed(found, [...roots, ...kept]).flatMap(({tokens}) => tokens)), names: new Set(found.flatMap(({names}) => names))};
+    return {shader: joined(found.flatMap(({tokens}) => tokens)), names: new Set(found.flatMap(({names}) => names))};
 }
