@@ -1,27 +1,12 @@
 #!/bin/bash
 # web.sh - write the module, minified, and the files that it reads into build/web/. make calls this script after the
 # module is built.
-#
-# course.json contains the texts of the files that every chapter needs, and the names of the files that only some
-# chapters need. The latter files are in course/, and are loaded when a command line needs them.
 set -eu
 . .make/write.sh
 out=${WEB_FOLDER:-build/web} source=${SITE_SOURCE:-docs/web} # the variables replace the target and the source folder
 
 begin "$out"
-# These files of the library are needed only from chapter 17 on.
-rare='shaders/clouds.glsl shaders/land.glsl shaders/night.glsl shaders/prism.glsl shaders/stored.glsl shaders/water.glsl'
-# shellcheck disable=SC2086 # names without blanks
-{ printf '%s\n' $rare; find chapters shaders/textures -name '*.frag' -o -name '*.glsl' -o -name '*.png'; } | sort >"$new/later.txt"
-while read -r file; do
-    mkdir -p "$new/course/$(dirname "$file")"
-    cp "$file" "$new/course/$file"
-done <"$new/later.txt"
-common=()
-for file in shaders/*.glsl shaders/screen.vert; do
-    case " $rare " in *" $file "*) ;; *) common+=("$file") ;; esac
-done
-node "$source/pack.mjs" "$new/later.txt" "$new/course.json" "${common[@]}"
+find chapters shaders -name '*.frag' -o -name '*.glsl' -o -name '*.vert' -o -name '*.png' | sort | node "$source/pack.mjs" "$new"
 cp "$source/live.css" "$new/"
 .make/exercises.sh >"$new/exercises.txt"
 # Scripts that are loaded together become one file, without comments. Scripts that other files import too remain

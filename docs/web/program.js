@@ -84,6 +84,7 @@ export class Program {
         }
         program.later = new Set(course.later);
         program.course = new Set([...Object.keys(course.files), ...course.later]);
+        program.needs = (name) => (course.needs[name] ?? []).map((i) => course.later[i]);
         module.FS.chdir(ROOT);
         program.hear();
         program.watch();
@@ -116,20 +117,20 @@ export class Program {
         return this.originals.get(name);
     }
 
-    // Load the missing files that a command line needs: first a shader, then the files that it includes, then its
-    // textures.
+    // Load the missing files that a command line needs. All files of the course's shaders are requested at once; then,
+    // one after the other, what a changed text includes and its textures.
     async fetchFiles(stem, line) {
+        let asked = [...(/(^| )(--shader|-f)[ =]/.test(line) ? [] : [`chapters/${stem}.frag`]), ...line.split(/[ =]/)].flatMap(this.needs);
         for (;;) {
-            this.quiet = true;
-            const asked = JSON.parse(this.call('live_files', stem, line))
-                .map((path) => path.startsWith(ROOT) ? path.slice(ROOT.length) : path);
-            this.quiet = false;
             const missing = [...new Set(asked)].filter((name) => this.later.has(name));
-            if (missing.length === 0) return;
             await Promise.all(missing.map(async (name) => {
                 const answer = await fetched(new URL(`course/${name}`, import.meta.url));
                 this.write(name, new Uint8Array(await answer.arrayBuffer()));
             }));
+            this.quiet = true;
+            asked = JSON.parse(this.call('live_files', stem, line)).map((path) => path.startsWith(ROOT) ? path.slice(ROOT.length) : path);
+            this.quiet = false;
+            if (!asked.some((name) => this.later.has(name))) return;
         }
     }
 

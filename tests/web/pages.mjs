@@ -151,7 +151,7 @@ check('page 01 with its five figures has at most 42 KB, compressed', alive <= 42
 const module = ['harness.wasm', 'harness.js', 'program.js', 'stage.js', 'live.js', 'values.js', 'ray.js', 'course.json'].filter((name) => files.has(name));
 const sum = module.reduce((total, name) => total + weight(name), 0);
 console.log(`# size of the files that a click on Run loads: ${kilo(sum)} KB compressed`);
-check('a click on Run loads at most 290 KB, compressed', sum <= 290e3, sum);
+check('a click on Run loads at most 275 KB, compressed', sum <= 275e3, sum);
 
 // ---- The same bytes ----
 
