@@ -1,6 +1,7 @@
 // play.js - the Play page, a studio: templates to start from, named drafts with pictures that are stored on this device,
 // files that are dropped or chosen, a copy under another name, and one file for Shadertoy.
 import {keep as store, kept} from './edits.js';
+import {gather, shaders} from './dropped.js';
 
 const box = document.querySelector('.drop'), chapter = box.querySelector('live-chapter'), said = box.querySelector('.said'), list = box.querySelector('.drafts');
 const field = box.querySelector('.title'), tools = [...box.querySelectorAll('.studio button, .title')];
@@ -109,13 +110,30 @@ async function play(name, base, text = base, stem = STEM) {
     say(status === 0 ? `${name}.frag runs.` : `${name}.frag cannot be drawn; see the error above.`);
 }
 
-async function take(file) {
-    if (!file) return;
-    if (file.size > LIMIT) return say(`${file.name}: ${Math.round(file.size / 1e6)} MB is too large for a shader; the limit is 1 MB`);
-    const text = await file.text();
-    if (text.includes('\0')) return say(`${file.name}: this is not a text file`);
+// Take what was dropped or chosen: each shader with its parts becomes a draft, and the first one runs. Of several files,
+// those that are no texts are left out.
+async function take(from) {
+    const files = await gather(from), texts = {};
+    for (const {path, file} of files) {
+        const one = files.length === 1, large = file.size > LIMIT, text = large ? '' : await file.text();
+        if (large && one) return say(`${file.name}: ${Math.round(file.size / 1e6)} MB is too large for a shader; the limit is 1 MB`);
+        if (text.includes('\0') && one) return say(`${file.name}: this is not a text file`);
+        if (!large && !text.includes('\0')) texts[path] = text;
+    }
+    const [first, ...more] = shaders(texts);
+    if (!first) return;
     await typed();
-    const name = slug(file.name), own = free(name);
+    for (const {path, text} of more) {
+        const name = slug(path.replace(/.*\//, ''));
+        if (drafts()[name] === undefined) keep({...drafts(), [name]: {base: text, stem: STEM}});
+    }
+    await begin(slug(first.path.replace(/.*\//, '')), first.text);
+    if (more.length > 0) said.append(` ${more.length} more ${more.length === 1 ? 'shader is a draft' : 'shaders are drafts'}.`);
+}
+
+// Run a text as the draft with a name, or as another draft if there is one with this name and another text.
+async function begin(name, text) {
+    const own = free(name);
     const same = Object.entries(drafts()).find(([one, {deleted}]) => !deleted && (one === name || one.startsWith(`${name}_`)) && textOf(one) === text);
     if (same) return reopen(same[0]);
     await play(own, text);
@@ -168,7 +186,7 @@ for (const button of box.querySelectorAll('.starter')) button.addEventListener('
     const text = button.dataset.file ? await fetch(`course/${button.dataset.file}`).then((answer) => answer.text()) : BLANK;
     await play(free(button.id.replace('new=', '')), text, text, button.dataset.stem);
 });
-box.querySelector('input[type=file]').addEventListener('change', (event) => take(event.target.files[0]));
+box.querySelector('input[type=file]').addEventListener('change', (event) => take(event.target));
 box.addEventListener('dragover', (event) => { event.preventDefault(); box.classList.add('over'); });
 box.addEventListener('dragleave', () => box.classList.remove('over'));
 // Without these two listeners, a file that is dropped outside the box would replace the page.
@@ -176,7 +194,7 @@ addEventListener('dragover', (event) => event.preventDefault());
 addEventListener('drop', (event) => {
     event.preventDefault();
     box.classList.remove('over');
-    take(event.dataTransfer.files[0]);
+    take(event.dataTransfer);
 });
 field.addEventListener('change', async () => {
     await typed();

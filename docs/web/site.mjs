@@ -216,7 +216,7 @@ function starter([title, file, picture]) {
 }
 
 const drop = (poster) => `<div class="drop"><div class="starters" role="group" aria-label="Begin with"><button type="button" class="starter" id="new=blank">Blank sheet</button>${STARTERS.map(starter).join('')}</div><ul class="drafts" aria-label="Your drafts" hidden></ul>`
-    + `<p><label for="file">Choose a file, or drop one here:</label> <input type="file" id="file" accept=".frag,.glsl,.fs,.txt"></p>`
+    + `<p><label for="file">Choose files, or drop them or a folder here:</label> <input type="file" id="file" multiple accept=".frag,.glsl,.fs,.txt,.json"></p>`
     + '<p class="studio"><label>Name <input class="title" disabled></label> <button type="button" class="remix" disabled>Remix</button> <button type="button" class="save" disabled>Download</button> '
     + '<button type="button" class="export" disabled>Export for Shadertoy</button> <span class="said" role="status"></span></p>'
     + `<live-chapter stem="01_normal_colouring" play><img ${poster}></live-chapter></div>`;

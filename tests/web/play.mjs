@@ -1,6 +1,7 @@
 // play.mjs - tests the Play page: a Shadertoy shader is dropped, drawn and exported, and the export is dropped again; a
 // file of the course, and a file that is not a shader, are dropped; drafts are edited, stored, copied and deleted.
 import fs from 'node:fs';
+import {shaders} from '../../docs/web/dropped.js';
 import {blankPage, check, finish, frames, launch, PATIENCE, serve, SITE} from './browser.mjs';
 
 const server = await serve(SITE), browser = await launch();
@@ -8,11 +9,11 @@ const {page, said} = await blankPage(browser, {context: {viewport: {width: 1280,
 await page.goto(`${server.at}/play.html`);
 await page.waitForSelector('live-chapter .live-start');
 
-const drop = (name, text) => page.evaluate(([name, text]) => {
+const drop = (...namesAndTexts) => page.evaluate((list) => {
     const dataTransfer = new DataTransfer();
-    dataTransfer.items.add(new File([text], name));
+    for (let i = 0; i < list.length; i += 2) dataTransfer.items.add(new File([list[i + 1]], list[i]));
     for (const type of ['dragover', 'drop']) document.querySelector('.drop').dispatchEvent(new DragEvent(type, {bubbles: true, cancelable: true, dataTransfer}));
-}, [name, text]);
+}, namesAndTexts);
 const state = () => page.evaluate(() => document.querySelector('live-chapter').program?.state() ?? null);
 async function until(right) {
     for (const begun = Date.now(); ;) {
@@ -71,6 +72,26 @@ check('when the error is closed with the keyboard, the focus goes to a button th
 await drop('picture.frag', 'a\0b');
 await page.waitForFunction(() => /not a text file/.test(document.querySelector('.said').textContent));
 check('a file that is not text is refused', true);
+
+// Several files: the parts that a shader includes become part of its draft, each once.
+const texts = {
+    '/deck/cards/one.frag': '#include "../lib/fill.glsl"\n# include "../lib/more.glsl" // again\nvoid main() {}\n', '/deck/cards/two.frag': '#include "none.glsl"\nvoid mainImage() {}\n',
+    '/deck/lib/fill.glsl': 'float fill();\n', '/deck/lib/more.glsl': '#include "fill.glsl"\nfloat more();\n', '/deck/readme.md': '# a deck\n',
+};
+const dealt = shaders(texts);
+check('the shaders of a folder are those that no file includes', dealt.map(({path}) => path).join(' ') === '/deck/cards/one.frag /deck/cards/two.frag', dealt);
+check('a shader gets its parts, each once', dealt[0].text === '// #include "../lib/fill.glsl"\nfloat fill();\n\n// # include "../lib/more.glsl" // again\n// #include "fill.glsl"\nfloat more();\n\nvoid main() {}\n', dealt[0].text);
+check('an include of a file that is missing stays', dealt[1].text === texts['/deck/cards/two.frag']);
+check('a single file is taken whatever it contains', shaders({'/a.txt': 'float x;\n'})[0].text === 'float x;\n');
+await drop('card.frag', '#include "../lib/fill.glsl"\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(fill(), 0.8, 0.4, 1.0); }\n', 'fill.glsl', 'float fill() { return 0.2; }\n',
+    'other.frag', 'void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }\n', 'photo.jpg', 'a\0b');
+now = await until((s) => s.files?.[0]?.endsWith('/card.frag') && s.rate > 0);
+check('a shader that is dropped with a part of its own is drawn', now?.error === '' && near(await middle(), [51, 204, 102]), now?.error, await middle());
+await page.waitForFunction(() => /1 more shader is a draft/.test(document.querySelector('.said').textContent));
+check('another shader that is dropped with it is a draft', (await page.locator('.draft').allTextContents()).includes('other'));
+await drop('alone.frag', '#include "../lib/fill.glsl"\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(fill()); }\n');
+await page.waitForFunction(() => /cannot be drawn/.test(document.querySelector('.said').textContent));
+check('a shader that is dropped without its part is refused, with what to do', /alone\.frag:1: #include "\.\.\/lib\/fill\.glsl": .*drop the folder that has it/.test(await page.locator('live-chapter').innerText()), await page.locator('live-chapter').innerText());
 
 // ---- The studio ----
 
