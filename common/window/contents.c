@@ -8,8 +8,8 @@
 #include "memory.h"
 #include "picture/image.h"
 #include "picture/pen.h"
+#include "window/condition.h"
 #include "window/pointer.h"
-#include "window/state.h"
 
 #define GAP     12.0f     // between two pictures, units
 #define HEADING 26.0f     // height of the line above the pictures, units
@@ -135,17 +135,17 @@ static void upload(const struct gl *gl, const struct target *target, const struc
 // Draw all pictures again if the window has another size. Returns false after reporting the error.
 static bool update_sheet(struct window *window, const struct layout *layout)
 {
-    struct window_contents *contents = &window->contents;
+    struct target *target = &window->contents.sheet;
     const struct contents *of = window->start->contents;
     const struct gl *gl = window->renderer->gl;
     const float scale = window->panel.overlay.scale;
     const int width = window->inputs.width, height = window->inputs.height;
     struct image sheet;
-    if (contents->sheet.framebuffer == 0)
-        target_open(&contents->sheet, gl, GL_RGBA8);
-    if (contents->of == of && contents->sheet.width == width && contents->sheet.height == height)
+    if (target->framebuffer == 0)
+        target_open(target, gl, GL_RGBA8);
+    if (window->contents.of == of && target->width == width && target->height == height)
         return true;
-    if (!target_bind(&contents->sheet, gl, width, height) || !image_create(&sheet, width, height))
+    if (!target_bind(target, gl, width, height) || !image_create(&sheet, width, height))
         return false;
     for (int i = 0; i < width * height; i++)
         memcpy(&sheet.pixel[3 * i], background, sizeof background);
@@ -157,18 +157,13 @@ static bool update_sheet(struct window *window, const struct layout *layout)
         if (low[0] >= 0 && low[1] >= 0 && low[0] + size[0] <= width && low[1] + size[1] <= height)
             place(of->item[i].picture, &sheet, low, size);
     }
-    upload(gl, &contents->sheet, &sheet);
+    upload(gl, target, &sheet);
     image_free(&sheet);
-    contents->of = of;
+    window->contents.of = of;
     return true;
 }
 
 // ---- The sheet ----
-
-bool window_has_contents(const struct window *window)
-{
-    return window->start->contents != NULL;
-}
 
 void window_toggle_contents(struct window *window)
 {

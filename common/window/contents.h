@@ -3,24 +3,7 @@
 #ifndef WINDOW_CONTENTS_H
 #define WINDOW_CONTENTS_H
 
-#include <stdbool.h>
-
-#include "picture/target.h"
-#include "window/start.h"
-
-struct window;
-struct window_event;
-
-// The sheet of a window.
-struct window_contents {
-    bool open;
-    int chosen;                // the item that the frame marks
-    const struct contents *of; // whose pictures are drawn on the sheet; NULL before the first time
-    struct target sheet;       // the pictures, at the size of the window
-};
-
-// True if the window's scenes have contents.
-bool window_has_contents(const struct window *window);
+#include "window/state.h"
 
 // Show the sheet, or hide it again.
 void window_toggle_contents(struct window *window);

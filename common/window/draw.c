@@ -8,6 +8,7 @@
 #include "picture/probe.h"
 #include "platform.h"
 #include "report.h"
+#include "window/condition.h"
 #include "window/contents.h"
 #include "window/handle.h"
 #include "window/keys.h"
@@ -57,26 +58,6 @@ void window_retitle(struct window *window)
     if (strcmp(text, window->title.shown) != 0)
         glfwSetWindowTitle(window->handle, text);
     memcpy(window->title.shown, text, sizeof text);
-}
-
-// True if the program of a view, in either picture of a comparison, uses the time or another input
-// that changes with time. The linker keeps only the uniforms in use.
-static bool program_uses_time(const struct renderer *renderer, enum shader_view view)
-{
-    GLuint program = renderer->program[view];
-    if (program != 0 &&
-        inputs_reads(renderer->gl, program, &renderer->fragment, INPUT_TIME, INPUT_DATE))
-        return true;
-    return renderer->comparison != NULL && program_uses_time(renderer->comparison->other, view);
-}
-
-bool window_uses_time(const struct window *window)
-{
-    const struct renderer *renderer = window->renderer;
-    bool slice = shader_shows_ray(renderer->view), selected = window->inputs.pixel[0] >= 0;
-    return program_uses_time(renderer, renderer->view) ||
-           ((selected || slice) && program_uses_time(renderer, VIEW_PROBE)) ||
-           (selected && slice && program_uses_time(renderer, VIEW_PICTURE));
 }
 
 static double pixels_of(const struct renderer_inputs *inputs)

@@ -7,9 +7,6 @@
 // Show the chapter, the view and the selected parameter in the title bar.
 void window_retitle(struct window *window);
 
-// True if the picture on the screen depends on the time.
-bool window_uses_time(const struct window *window);
-
 // True if the picture on the screen is coarse and has been at rest for long enough to be sharpened.
 //   now  the current time, from glfwGetTime
 bool window_sharpens(const struct window *window, double now);

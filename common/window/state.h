@@ -9,10 +9,10 @@
 #include "picture/panel_rows.h"
 #include "picture/picker.h"
 #include "picture/renderer.h"
+#include "picture/target.h"
 #include "window/watch.h"
 #include "window/input.h"
 #include "window/resolution.h"
-#include "window/contents.h"
 #include "window/start.h"
 
 #define WINDOW_KEYS 40 // maximum number of entries in the overlay's list of keys
@@ -128,7 +128,13 @@ struct window {
     struct {
         int scenes, part, scene; // as window_asked returns them
     } asked;
-    struct window_contents contents;
+    // The sheet of contents.
+    struct {
+        bool open;
+        int chosen;                // the item that the frame marks
+        const struct contents *of; // whose pictures are on the sheet; NULL before the first time
+        struct target sheet;       // the pictures, at the size of the window
+    } contents;
     // The panel's input.
     struct {
         enum panel_grab what;

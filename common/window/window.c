@@ -10,6 +10,8 @@
 #include "report.h"
 #include "shader/compile.h"
 #include "window/actions.h"
+#include "window/condition.h"
+#include "window/contents.h"
 #include "window/draw.h"
 #include "window/full_screen.h"
 #include "window/handle.h"

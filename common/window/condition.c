@@ -1,0 +1,100 @@
+#include "window/condition.h"
+
+#include "picture/comparison.h"
+#include "window/lens.h"
+#include "window/state.h"
+
+#define NOTE_SECONDS 4.0 // for which a note is shown
+
+// True if the program of a view, in either picture of a comparison, uses the time or another input
+// that changes with time. The linker keeps only the uniforms in use.
+static bool program_uses_time(const struct renderer *renderer, enum shader_view view)
+{
+    GLuint program = renderer->program[view];
+    if (program != 0 &&
+        inputs_reads(renderer->gl, program, &renderer->fragment, INPUT_TIME, INPUT_DATE))
+        return true;
+    return renderer->comparison != NULL && program_uses_time(renderer->comparison->other, view);
+}
+
+bool window_uses_time(const struct window *window)
+{
+    const struct renderer *renderer = window->renderer;
+    bool slice = shader_shows_ray(renderer->view), selected = window->inputs.pixel[0] >= 0;
+    return program_uses_time(renderer, renderer->view) ||
+           ((selected || slice) && program_uses_time(renderer, VIEW_PROBE)) ||
+           (selected && slice && program_uses_time(renderer, VIEW_PICTURE));
+}
+
+bool window_has_contents(const struct window *window)
+{
+    return window->start->contents != NULL;
+}
+
+bool window_has_scenes(const struct window *window)
+{
+    return window->start->caption != NULL || window_has_contents(window);
+}
+
+// True if a linked program of a picture reads the camera.
+static bool reads_camera(const struct renderer *renderer)
+{
+    bool reads = renderer->comparison != NULL && reads_camera(renderer->comparison->other);
+    for (int i = 0; i < SHADER_PROGRAM_COUNT && !reads; i++)
+        reads =
+            renderer->program[i] != 0 && inputs_reads(renderer->gl, renderer->program[i],
+                                                      &renderer->fragment, INPUT_EYE, INPUT_FOCAL);
+    return reads;
+}
+
+bool window_key_acts(struct window *window, enum key_condition condition)
+{
+    switch (condition) {
+    case KEY_ALWAYS:
+        return true;
+    case KEY_WITH_CAMERA:
+        return reads_camera(window->renderer);
+    case KEY_WITH_MARCH:
+        return window->renderer->fragment.dialect == DIALECT_COURSE;
+    case KEY_WITH_TIME:
+        return window_uses_time(window);
+    case KEY_WITH_EDITOR:
+        return !window->panel.in_page;
+    case KEY_WITH_RAY:
+        return window->inputs.pixel[0] >= 0;
+    case KEY_WITH_PARAMETERS:
+        return comparison_parameter_count(window->renderer) > 0;
+    case KEY_WITH_HANDLES:
+        return window->handles.count > 0;
+    case KEY_WITH_TOOL:
+        return window->renderer->sculpture.tool != NULL;
+    case KEY_WITH_PROJECTIONS:
+        return window_has_orthographic(window);
+    case KEY_WITH_SCENES:
+        return window_has_scenes(window);
+    case KEY_IN_COURSE:
+        return window_has_contents(window);
+    case KEY_IN_LECTURE:
+        return window->start->caption != NULL;
+    }
+    return false;
+}
+
+void window_explain_key(struct window *window, enum key_condition condition)
+{
+    static const char *const why[] = {[KEY_WITH_CAMERA] = "this shader does not read the camera",
+                                      [KEY_WITH_MARCH] = "this shader does not record its march",
+                                      [KEY_WITH_TIME] = "this picture does not change with time",
+                                      [KEY_WITH_PARAMETERS] = "this shader has no parameters",
+                                      [KEY_WITH_HANDLES] = "this shader has no points to drag",
+                                      [KEY_WITH_TOOL] = "only chapter 23 has clay",
+                                      [KEY_WITH_PROJECTIONS] = "this shader has one projection",
+                                      [KEY_IN_LECTURE] = NULL};
+    if (why[condition] == NULL || (window->panel.told & 1U << condition) != 0 ||
+        window_key_acts(window, condition))
+        return;
+    window->panel.told |= 1U << condition;
+    window->panel.note = why[condition];
+    window->panel.note_ends = glfwGetTime() + NOTE_SECONDS;
+    window->dirty = true;
+}

@@ -1,0 +1,41 @@
+// condition.h - what the keys of a window can act on.
+#ifndef WINDOW_CONDITION_H
+#define WINDOW_CONDITION_H
+
+#include <stdbool.h>
+
+struct window;
+
+// When a row's keys act, and the overlay lists them.
+enum key_condition {
+    KEY_ALWAYS,
+    KEY_WITH_CAMERA, // the shader reads the camera
+    KEY_WITH_MARCH,  // the shader records its march
+    KEY_WITH_TIME,   // the picture changes with time
+    KEY_WITH_EDITOR, // not in a web page
+    KEY_WITH_RAY,
+    KEY_WITH_PARAMETERS,
+    KEY_WITH_HANDLES,
+    KEY_WITH_TOOL,
+    KEY_WITH_PROJECTIONS,
+    KEY_WITH_SCENES, // in a course or a lecture
+    KEY_IN_COURSE,
+    KEY_IN_LECTURE
+};
+
+// True if the picture on the screen depends on the time.
+bool window_uses_time(const struct window *window);
+
+// True if the window's scenes have contents, as those of the course do.
+bool window_has_contents(const struct window *window);
+
+// True in a course or a lecture, where keys change the scene.
+bool window_has_scenes(const struct window *window);
+
+// True if the keys of a row act on what the window shows.
+bool window_key_acts(struct window *window, enum key_condition condition);
+
+// If the keys of a row do nothing here, and have no other meaning, let the overlay say why, once.
+void window_explain_key(struct window *window, enum key_condition condition);
+
+#endif
