@@ -7,9 +7,9 @@
 #include "dialects/directives.h"
 #include "dialects/export.h"
 #include "dialects/formats.h"
-#include "dialects/passes.h"
 #include "dialects/tool_inputs.h"
 #include "dialects/translate.h"
+#include "dialects/unpack.h"
 #include "memory.h"
 #include "report.h"
 
@@ -59,7 +59,9 @@ static enum shader_dialect dialect_of(const struct shader_source *source)
 static bool take(struct shader_source *source)
 {
     source->dialect = dialect_of(source);
-    return formats_check(source) && (source->dialect != DIALECT_SHADERTOY || check_image(source)) &&
+    if (source->dialect == DIALECT_WHOLE && glsl_mentions(&source->code, "gl_Position") > 0)
+        return formats_refuse_vertex(source);
+    return (source->dialect != DIALECT_SHADERTOY || check_image(source)) &&
            (source->dialect == DIALECT_COURSE ||
             translate(source, TRANSLATE_DRIVER, &source->prelude, &source->body));
 }
@@ -216,7 +218,8 @@ static bool accept(struct shader_source *source, const struct gl *gl, GLuint pro
                   source->files[0]);
 }
 
-const struct dialects dialects = {.unpack = passes_unpack,
+const struct dialects dialects = {.admit = formats_check,
+                                  .unpack = unpack,
                                   .obey = directives_obey,
                                   .take = take,
                                   .explain = explain,

@@ -2,56 +2,57 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #include "report.h"
 
-enum clue {
-    CLUE_MEMBER,   // the first comment is JSON and has this member
-    CLUE_WORD,     // the text mentions this word
-    CLUE_FUNCTION, // the text defines this function, and neither main nor mainImage
-    CLUE_PRAGMA    // there is a #pragma with this word
-};
-
 #define GLSL_ONLY "a shader must be in GLSL"
 #define FRAGMENT  "a picture needs a fragment shader"
-#define ISF                                                                                        \
-    "an ISF file, as its first comment shows; ISF is not supported",                               \
-        "declare its inputs as uniforms with a value, and use iResolution and iTime"
+#define COPY      "save the shader's text in a file of its own"
+#define STAGE     "keep its fragment part, and declare its inputs as uniforms with a value"
+#define UNIFORMS  "declare its inputs as uniforms with a value, and use iResolution and iTime"
 
-// The table of formats, of which the first that applies is named.
+// The table of formats. The first row is named of which a clue applies; blanks separate the clues:
+//   .ab       the file's name ends in .ab
+//   ^ab       the text begins with ab
+//   ` or "    a statement contains this sign
+//   @ab       a statement contains ab directly after an @
+//   #ab, %ab  there is a directive #ab, or a #pragma ab
+//   {ab       the first comment is JSON and contains ab
+//   =ab       a statement certainly contains ab, which is no macro
+//   ab()      the text defines the function ab, and neither main nor mainImage
+//   ab        the text mentions ab
 // clang-format off
 static const struct format {
-    enum clue clue;
-    const char *word, *what, *instead;
+    const char *clues, *what, *instead;
 } formats[] = {
-    {CLUE_MEMBER, "\"INPUTS\"", ISF},
-    {CLUE_MEMBER, "\"ISFVSN\"", ISF},
-    {CLUE_MEMBER, "\"CATEGORIES\"", ISF},
-    {CLUE_MEMBER, "\"DESCRIPTION\"", ISF},
-    {CLUE_MEMBER, "\"CREDIT\"", ISF},
-    {CLUE_MEMBER, "PASSES", "a file with several passes, as its first comment shows",
-     "only a single pass can be drawn"},
-    {CLUE_WORD, "gl_GlobalInvocationID", "a compute shader", FRAGMENT},
-    {CLUE_WORD, "EmitVertex", "a geometry shader", FRAGMENT},
-    {CLUE_WORD, "gl_TessCoord", "a tessellation shader", FRAGMENT},
-    {CLUE_WORD, "SV_Target", "HLSL, the language of DirectX", GLSL_ONLY},
-    {CLUE_WORD, "SV_POSITION", "HLSL, the language of DirectX", GLSL_ONLY},
-    {CLUE_WORD, "CGPROGRAM", "a shader for Unity", GLSL_ONLY},
-    {CLUE_WORD, "metal_stdlib", "the language of Metal", GLSL_ONLY},
-    {CLUE_WORD, "shader_type", "a shader for Godot",
-     "write void main() or mainImage, and name the inputs as docs/using.md does"},
-    {CLUE_WORD, "isf_vertShaderInit", "a vertex shader for ISF", FRAGMENT},
-    {CLUE_WORD, "IMG_PIXEL", "an ISF file, because it uses IMG_PIXEL", "ISF is not supported"},
-    {CLUE_WORD, "IMG_NORM_PIXEL", "an ISF file, because it uses IMG_NORM_PIXEL",
-     "ISF is not supported"},
-    {CLUE_FUNCTION, "mainSound", "a sound shader for Shadertoy, because it defines mainSound",
-     "sound is not supported"},
-    {CLUE_FUNCTION, "mainCubemap", "a cube map for Shadertoy, because it defines mainCubemap",
-     "cube maps are not supported"},
-    {CLUE_FUNCTION, "transition", "a GL Transition, which blends two pictures",
-     "transitions are not supported"},
-    {CLUE_PRAGMA, "glslify", "#pragma glslify: this file needs glslify, a JavaScript tool",
-     "run glslify first and use its output"},
+    {".klproj", "a KodeLife project", "copy its fragment shader from KodeLife into a file"},
+    {".html .htm ^<!doctype ^<html ^<script ^<?xml ^<svg", "a web page", COPY},
+    {".md ^```", "Markdown", COPY},
+    {".slang .slangp %stage", "a shader with several stages, for RetroArch or in Slang", STAGE},
+    {"%parameter COMPAT_VARYING COMPAT_TEXTURE", "a libretro shader", STAGE},
+    {"CGPROGRAM HLSLPROGRAM CGINCLUDE UnityObjectToClipPos", "a shader for Unity", GLSL_ONLY},
+    {".metal metal_stdlib", "Metal, Apple's language", GLSL_ONLY},
+    {".hlsl .fx SV_Target SV_POSITION SV_Position", "HLSL, the language of DirectX", GLSL_ONLY},
+    {"=float4 =float3 =float2 =half4 =half3 =half2", "HLSL, Metal or Cg, because of its types", GLSL_ONLY},
+    {".wgsl @fragment @vertex @compute @group @builtin", "WGSL, the language of WebGPU", GLSL_ONLY},
+    {"shader_type", "a shader for Godot", "write void main() or mainImage, and name the inputs as docs/using.md does"},
+    {"MODULES_HEAD MODULE_BEGIN_FRAG", "a shader for Cables", UNIFORMS},
+    {"qt_TexCoord0 qt_Opacity qt_Matrix", "a shader for Qt", UNIFORMS},
+    {"#info #group #preset #donotrun", "a shader for Fragmentarium", "give it a main that marches DE, as chapters/00_first_scene.frag does"},
+    {"`", "JavaScript, because it has backquotes", COPY},
+    {"\"", "a program, because it has strings", COPY},
+    {"{PASSES", "a file with several passes, as its first comment shows", "only a single pass can be drawn"},
+    {"isf_vertShaderInit", "a vertex shader for ISF", FRAGMENT},
+    {"gl_GlobalInvocationID local_size_x", "a compute shader", FRAGMENT},
+    {"EmitVertex", "a geometry shader", FRAGMENT},
+    {"gl_TessCoord gl_TessLevelOuter gl_InvocationID", "a tessellation shader", FRAGMENT},
+    {"rayPayloadEXT rayPayloadInEXT hitAttributeEXT", "a shader that traces rays with Vulkan", FRAGMENT},
+    {"SetMeshOutputsEXT", "a mesh shader", FRAGMENT},
+    {"mainSound()", "a sound shader for Shadertoy, because it defines mainSound", "sound is not supported"},
+    {"mainCubemap()", "a cube map for Shadertoy, because it defines mainCubemap", "cube maps are not supported"},
+    {"transition()", "a GL Transition, which blends two pictures", "transitions are not supported"},
+    {"%glslify", "#pragma glslify: this file needs glslify, a JavaScript tool", "run glslify first and use its output"},
 };
 // clang-format on
 
@@ -65,38 +66,73 @@ static bool has_member(const struct glsl *code, const char *word)
     return member != NULL && member < end;
 }
 
-static bool applies(const struct format *format, const struct shader_source *source)
+static bool has_directive(const struct glsl *code, const char *word, bool pragma)
 {
-    const struct glsl *code = &source->code;
-    const struct glsl_token *t;
-    switch (format->clue) {
-    case CLUE_MEMBER:
-        return has_member(code, format->word);
-    case CLUE_WORD:
-        return glsl_mentions(code, format->word) > 0;
-    case CLUE_FUNCTION:
-        return source->dialect != DIALECT_SHADERTOY && glsl_mentions(code, "main") == 0 &&
-               glsl_find_definition(code, format->word) != NULL;
-    case CLUE_PRAGMA:
-        t = glsl_find(code, format->word);
-        return t != NULL && t->directive && glsl_is(t - 1, "pragma");
-    }
-    return false;
+    const struct glsl_token *t = code->item;
+    while (t->kind != GLSL_END &&
+           !(t->kind == GLSL_HASH && t->live && glsl_is(t + 1 + pragma, word) &&
+             (!pragma || glsl_is(t + 1, "pragma"))))
+        t++;
+    return t->kind != GLSL_END;
 }
 
-bool formats_check(const struct shader_source *source)
+static bool applies(const char *clue, const char *file, const struct glsl *code)
 {
-    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
-        const struct format *format = &formats[i];
-        if (!applies(format, source))
-            continue;
-        if (format->clue == CLUE_PRAGMA)
-            return shader_refuse(source, glsl_find(&source->code, format->word)->line, "%s: %s",
-                                 format->what, format->instead);
-        return report("%s: %s: %s", source->files[0], format->what, format->instead);
+    const struct glsl_token *t = code->statement;
+    size_t length = strlen(clue), name = strlen(file);
+    char function[32];
+    switch (clue[0]) {
+    case '.':
+        return name > length && strcasecmp(file + name - length, clue) == 0;
+    case '^':
+        return strncasecmp(code->text + strspn(code->text, " \t\n"), clue + 1, length - 1) == 0;
+    case '`':
+    case '"':
+        while (t->kind != GLSL_END && t->sign != clue[0])
+            t++;
+        return t->kind != GLSL_END;
+    case '@':
+        t = glsl_find_next(code, NULL, clue + 1);
+        return t != NULL && t[-1].sign == '@';
+    case '#':
+    case '%':
+        return has_directive(code, clue + 1, clue[0] == '%');
+    case '{':
+        return has_member(code, clue + 1);
+    case '=':
+        t = glsl_find(code, clue + 1);
+        return t != NULL && t->certain && !t->directive;
     }
-    return source->dialect != DIALECT_WHOLE || glsl_mentions(&source->code, "gl_Position") == 0 ||
-           formats_refuse_vertex(source);
+    if (clue[length - 1] != ')')
+        return glsl_mentions(code, clue) > 0;
+    snprintf(function, sizeof function, "%.*s", (int)length - 2, clue);
+    return glsl_find_definition(code, function) != NULL && glsl_mentions(code, "main") == 0 &&
+           glsl_mentions(code, "mainImage") == 0 && glsl_mentions(code, "include") == 0;
+}
+
+// The first format that applies to a file, or NULL.
+static const struct format *format_of(const char *file, const struct glsl *code)
+{
+    char clues[128], *rest;
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
+        snprintf(clues, sizeof clues, "%s", formats[i].clues);
+        for (char *c = strtok_r(clues, " ", &rest); c != NULL; c = strtok_r(NULL, " ", &rest))
+            if (applies(c, file, code))
+                return &formats[i];
+    }
+    return NULL;
+}
+
+bool formats_check(const char *file, const char *text)
+{
+    struct glsl code;
+    bool plain = text != NULL && strpbrk(text, "\1\2\3\4\5\6\7\10") == NULL;
+    glsl_read(&code, plain ? text : "");
+    const struct glsl_token *first = code.statement;
+    bool json = first->sign == '[' || (first->sign == '{' && first[1].sign != '{');
+    const struct format *format = json ? NULL : format_of(file, &code);
+    glsl_free(&code);
+    return format == NULL || report("%s: %s: %s", file, format->what, format->instead);
 }
 
 bool formats_refuse_vertex(const struct shader_source *source)

@@ -5,9 +5,8 @@
 
 #include "shader/source.h"
 
-// Refuse a file of another format, in one line that names the format. Returns true, without a
-// report, for any other file.
-bool formats_check(const struct shader_source *source);
+// The member admit of struct dialects.
+bool formats_check(const char *file, const char *text);
 
 // Refuse a file that sets gl_Position. Always returns false.
 bool formats_refuse_vertex(const struct shader_source *source);

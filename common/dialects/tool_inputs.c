@@ -154,7 +154,7 @@ bool tool_inputs_is_own(const struct shader_input *in)
 // What a channel contains in the author's tool, if the file says so.
 struct kind {
     const char *was, *words;
-    bool black; // black is right: no key is pressed
+    bool black; // black is a fair replacement
 };
 
 static const struct kind *kind_of(const struct shader_source *source, int channel)
@@ -163,11 +163,11 @@ static const struct kind *kind_of(const struct shader_source *source, int channe
                                         {"keyboard", "the keyboard", true},
                                         {"cubemap", "a cube map", false},
                                         {"volume", "a volume", false},
-                                        {"mic", "a sound", false},
-                                        {"music", "a sound", false},
-                                        {"musicstream", "a sound", false},
-                                        {"video", "a film", false},
-                                        {"webcam", "a film", false}};
+                                        {"mic", "a sound", true},
+                                        {"music", "a sound", true},
+                                        {"musicstream", "a sound", true},
+                                        {"video", "a film", true},
+                                        {"webcam", "a film", true}};
     for (int i = 0; i < COUNT(kinds); i++)
         if (channel >= 0 && strcmp(source->was[channel], kinds[i].was) == 0)
             return &kinds[i];
@@ -197,7 +197,7 @@ char *tool_inputs_why_black(const struct shader_source *source,
 {
     const struct kind *kind = kind_of(source, sampler->channel);
     if (kind != NULL && kind->black)
-        return memory_text("%s is %s, and no key is pressed here", sampler->name, kind->words);
+        return memory_text("%s is %s, and is black here", sampler->name, kind->words);
     if (GL_IS_ES)
         return memory_text("%s has no picture, and is black: this page cannot read your pictures",
                            sampler->name);

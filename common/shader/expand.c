@@ -213,6 +213,10 @@ static bool expand_file(struct expansion *e, int file, const char *where)
 {
     char why[TEXT_FILE_WHY];
     char *text = text_file_read(e->source->paths[file], why);
+    if (file == 0 && dialects.admit != NULL && !dialects.admit(e->source->files[0], text)) {
+        free(text);
+        return false;
+    }
     if (text == NULL)
         return report("%s: %s", where, why);
     char *part[2] = {0};

@@ -181,6 +181,15 @@ fi
 refused bomb 'bomb.frag:42: A40: this macro expands to more than 4 million' 'macros that double 40 times are refused' \
     < <(echo '#define A0 p.x'; for i in {1..40}; do echo "#define A$i A$((i - 1)) + A$((i - 1))"; done; echo "$head { c = vec4(A40); }")
 
+# A KodeLife project is compressed.
+printf 'x\332\263\000\001' >"$scratch/sketch.klproj"
+names_kodelife() {
+    said=$("$program" -f "$scratch/sketch.klproj" "${size[@]}" -o "$scratch/sketch.png" 2>&1)
+    [ "$? $said" = "1 $scratch/sketch.klproj: a KodeLife project: copy its fragment shader from KodeLife into a file" ]
+}
+check 'a KodeLife project is named' names_kodelife
+refused zeros 'zeros.frag: contains a zero byte' 'another file with a zero byte is refused' < <(printf 'void\000main')
+
 # ---- make play ----
 
 mkdir "$scratch/project" && cp -r Makefile .make chapters shaders "$scratch/project" && ln -s "$root/$BUILD" "$scratch/project/build"
