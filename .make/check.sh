@@ -5,8 +5,7 @@
 # exercise of docs/engine.md, such as EXERCISE=engine_1, FILE is a C program, which is built and run.
 #
 # The course for students has no solutions. For each exercise, `make student` has stored what a check needs of the
-# solution in tests/course/stored/EXERCISE/: its pictures N.png, its rays, what its program does (N.outcome), and a
-# checksum of its text.
+# solution in tests/course/stored/EXERCISE/: its pictures N.png, its rays, and what its program does (N.outcome).
 #
 # Environment: EXERCISE; FILE, or FILES for a table with one line for each file. FILES is a pattern, or several patterns
 # separated by spaces. Pictures of the differences are left in build/check/EXERCISE/, each under the path of its file;
@@ -204,12 +203,6 @@ judge() { # FILE
     build/tests/judge right "${shares[@]}"
 }
 
-# True if the file is the published solution, ignoring blanks and comments, or includes a published solution.
-is_published() { # FILE
-    [ "$(text_of "$1")" = "$(cat "$scratch/text")" ] ||
-        without_comments "$1" | grep -qE '^[[:space:]]*#[[:space:]]*include[[:space:]]*["<].*solutions/'
-}
-
 # Store those parts of the solution that a check needs.
 store() { # FOLDER
     local options picture number=0
@@ -232,7 +225,6 @@ store() { # FOLDER
     for picture in "${@:2}"; do
         [ ! -e "$picture" ] || cp "$picture" "$1" || exit 2
     done
-    cp "$scratch/text" "$1" || exit 2
 }
 
 [ -n "${EXERCISE-}" ] || fail 2 "which exercise? For example: make check EXERCISE=03_2 FILE=my.frag"
@@ -260,15 +252,12 @@ scratch=$(mktemp -d "${TMPDIR:-/tmp}/ray-check.XXXXXX") || exit 2
 stored=tests/course/stored/$EXERCISE
 if [ ! -e "$solution" ]; then
     cp -R "$stored/." "$scratch" 2>/dev/null || fail 2 "EXERCISE=$EXERCISE: neither $solution nor $stored exists"
-elif [[ $EXERCISE == [0-9]* ]]; then
-    text_of "$solution" >"$scratch/text"
-else
+elif [[ $EXERCISE != [0-9]* ]]; then
     command -v patch >/dev/null || fail 2 "EXERCISE=$EXERCISE: needs patch: make setup installs it"
     if ! patch -s -o "$scratch/right.c" chapters/first_steps/engine_6.c "$solution" ||
         ! build_program "$scratch/right.c" "$scratch/right"; then
         fail 2 "$solution: cannot be built: $(head -n 1 "$scratch/errors")"
     fi
-    text_of "$scratch/right.c" >"$scratch/text"
 fi
 if [ -n "${STORE-}" ]; then
     store "$work"
@@ -289,7 +278,6 @@ for file in "${files[@]}"; do
     need_room
     printf -- '-\t-\n' >"$scratch/kept"
     verdict=$(judge "$file") || { [ $? = 2 ] && exit 2; need_room; mark=wrong wrong=$((wrong + 1)); }
-    ! is_published "$file" || verdict="the published solution; $verdict"
     first=$(clean 1600 "${verdict%%$'\n'*}")
     if [ -n "${MARKS-}" ]; then
         printf '%s\t%s\t%s\t%s\t%s\n' "$EXERCISE" "$file" "$mark" "$first" "$(cat "$scratch/kept")" >>"$MARKS" || exit 2

@@ -51,16 +51,6 @@ options_of_rays() { # OPTIONS
     sed -E 's/(--view|--probe) +[^ ]+//g' <<<"$1"
 }
 
-# Print the text of a shader or a C program without comments, and a checksum of this text without blanks. Only the first
-# 500,000 bytes of a file are read.
-without_comments() { # FILE
-    [ ! -f "$1" ] || head -c 500000 "$1" 2>/dev/null | awk 'BEGIN { RS = "\001" }
-        { gsub(/\/\*([^*]|\*+[^*\/])*\*+\/|\/\/[^\n]*/, " "); print }'
-}
-text_of() { # FILE
-    without_comments "$1" | tr -d '[:space:]' | cksum
-}
-
 # Quote a word for a command line or a lecture's list, if it contains a special character. A lecture's list cannot
 # contain the last form.
 quoted() { # WORD

@@ -1,8 +1,8 @@
 #!/bin/bash
 # marks.sh - `make marks FILES='hand-in/*/*.frag' EXERCISES='03_1 03_2' CSV=marks.csv`: mark a class. check.sh judges
-# each file. A file whose text is the published solution, or another student's, is marked as copied; blanks and comments
-# do not count. The table has a row for each student; build/marks/index.html shows each picture beside the right one,
-# and build/marks/wrong.txt lists the wrong pictures as scenes for `make lecture`.
+# each file, and likeness.awk finds those with almost the same text as the published solution or as another student's;
+# the mark does not depend on this. The table has a row for each student; build/marks/index.html shows each picture beside
+# the right one, and build/marks/wrong.txt lists the wrong pictures as scenes for `make lecture`.
 #
 # Each folder belongs to one student, and is named after the student. If all files are in one folder, the part of a
 # file's name before the exercise names the student. With several exercises, the name of each file contains its
@@ -108,21 +108,32 @@ for file in ${unnamed[@]+"${unnamed[@]}"}; do
     report "$file: its name contains none of ${exercises[*]}, so the file is not marked"
 done
 
-# Write the same lines with the student and a checksum of the text added, and copies of the published solution marked.
-# An empty file and the chapter's own shader are nobody's work, so two such files do not count as copies: the file's
-# name replaces the checksum.
+# Print a text for likeness.awk. Only the first 64 KiB of a file are read.
+text() { # WHAT EXERCISE STUDENT FILE
+    printf '\001%s\t%s\t%s\n' "$1" "$2" "$3"
+    [ ! -f "$4" ] || head -c 65536 "$4" 2>/dev/null | tr -d '\001'
+}
+
+# Write the same lines with the student instead of the file.
 number=0
 while IFS=$'\t' read -r exercise file mark verdict picture right; do
-    [[ $verdict != 'the published solution; '* ]] || mark=copied
-    text=$(text_of "$file")
-    [[ $text != "$(text_of /dev/null)" && $text != "$(text_of "$(echo chapters/"${exercise%_*}"_*.frag)")" ]] || text=$file
     if [ "$picture" != - ]; then
         number=$((number + 1))
         mv "$picture" "$new/marks/$number.png" && mv "$right" "$new/marks/$number.right.png" || exit 2
         picture=$number
     fi
-    printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$exercise" "$(student_of "$file")" "$mark" "$verdict" "$picture" "$text" || exit 2
-done <"$new/judged" >"$new/named"
+    student=$(student_of "$file")
+    printf '%s\t%s\t%s\t%s\t%s\n' "$exercise" "$student" "$mark" "$verdict" "$picture" >>"$new/named"
+    text answer "$exercise" "$student" "$file" >>"$new/texts"
+done <"$new/judged" || exit 2
+{
+    awk 'FNR == 1 { print "\001course" } { print }' \
+        chapters/[0-9]*.frag chapters/*.glsl chapters/{experiments,figures,first_steps}/*.frag shaders/*.glsl /dev/null
+    for exercise in "${exercises[@]}"; do
+        text solution "$exercise" '' "$(echo chapters/solutions/"${exercise%_*}"_*_"${exercise#*_}".frag)"
+    done
+    cat "$new/texts"
+} | awk -f .make/likeness.awk | paste "$new/named" - >"$new/like" || exit 2
 for exercise in "${exercises[@]}"; do
     list=$new/marks/pictures/$exercise/wrong.txt
     [ ! -e "$list" ] || { echo "== $exercise" && cat "$list" && rm "$list"; } >>"$new/marks/wrong.txt" || exit 2
@@ -130,7 +141,7 @@ done
 find "$new/marks/pictures" -depth -type d -empty -delete
 
 marks() {
-    sort -t $'\t' -k 2,2 -k 1,1 "$new/named" | awk -F '\t' -v csv="$new/table" -v page="$new/marks/index.html" \
+    sort -t $'\t' -k 2,2 -k 1,1 "$new/like" | awk -F '\t' -v csv="$new/table" -v page="$new/marks/index.html" \
         -v exercises="${exercises[*]}" -f .make/table.awk -f .make/marks.awk
 }
 write "$new/said" marks || exit 2

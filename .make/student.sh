@@ -29,7 +29,7 @@ fi
 sweep "$stored"
 left=()
 for exercise in ${EXERCISES:-$(exercises) $(engine_exercises)}; do
-    [ -e "$stored/$exercise/text" ] || left+=("$exercise") # the file that is stored last
+    [ -e "$stored/$exercise" ] || left+=("$exercise")
 done
 if [ ${#left[@]} -gt 0 ]; then
     echo "Drawing what make check needs for ${#left[@]} solutions; all solutions together take some minutes."

@@ -1,6 +1,6 @@
 #!/bin/bash
-# marks.sh - tests `make marks`: the table of a class whose folder names contain blanks, accents and quotes, the copies
-# that it finds, and the requests that it refuses. check.sh tests the verdict on a single file.
+# marks.sh - tests `make marks`: the table of a class whose folder names contain blanks, accents and quotes, whose texts
+# it finds to be the same, and the requests that it refuses. check.sh tests the verdict on a single file.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -16,29 +16,30 @@ right=chapters/solutions/00_first_scene_2.frag
 hand_in '=cmd()' 00_2.frag <chapters/00_first_scene.frag
 { echo '/* all mine * */'; sed 's/; *$/ ; \/\/ mine/' $right; } | hand_in copy 00_2.frag
 echo '#include "solutions/00_first_scene_2.frag"' | hand_in include 00_2.frag
-echo 'one fault' | hand_in twin 00_2.frag
-echo 'one /* */ fault // here' | hand_in 'the other twin' 00_2.frag
+fault=$(seq -s ' + ' 60)
+echo "float one = $fault" | hand_in twin 00_2.frag
+echo "float /* */ other=${fault// /} // here" | hand_in 'the other twin' 00_2.frag
+echo 'one fault' | tee >(hand_in idle 00_3.frag) | hand_in copy 00_3.frag
 hand_in nameless ball.frag <$right
 hand_in idle 00_2.frag <chapters/00_first_scene.frag
-for name in '00-2 first' '00-2 last'; do echo 'one thing twice' | hand_in again "$name.frag"; done
+for name in '00-2 first' '00-2 last'; do echo "again, $fault" | tr + - | hand_in again "$name.frag"; done
 mkdir -p "$class/pipe" && mkfifo "$class/pipe/00_2.frag"
 hand_in odd $'00_2\n.frag' <$right
 
 marks() { FILES=$1 EXERCISES=$2 CSV=${3-$scratch/marks.csv} .make/marks.sh >"$scratch/said" 2>&1; }
 row() { grep -q -e "$1" "$scratch/marks.csv" || { sed 's/^/# /' "$scratch/marks.csv"; return 1; }; }
 check 'a class is marked' marks "$class/*/*.frag" '00_2 00_3'
-check 'a row has a mark and a remark for each exercise' row "^\"Zoë \"\"O'Neil\"\"\",right,\"matches the solution.*\",right,\"matches the solution.*\"$"
-check 'a wrong solution is marked, and a folder name that a spreadsheet would read as a formula is escaped' row "^\"'=cmd()\",wrong,\".* differ .*\",missing,\"\"$"
-check 'the published solution is recognised, however its blanks and comments are changed' row '^"copy",copied,"the published solution; '
-check 'a file that includes the published solution is recognised' row '^"include",copied,"the published solution; '
-check 'the same text from two students is marked as copied' row '^"twin",copied,"the same text: the other twin, twin; does not run: '
-check "two students' unsolved chapters are not copies" row '^"idle",wrong,".* differ '
-check "two files of one student are not copies" row '^"again",wrong wrong,"does not run'
-check 'a pipe is refused without waiting for it' row '^"pipe",wrong,"not a regular file"'
+check 'a row has a mark, whose text is the same and a remark for each exercise' row "^\"Zoë \"\"O'Neil\"\"\",right,\"\",\"matches the solution.*\",right,\"\",\"matches the solution.*\"$"
+check 'a wrong solution is marked, and a folder name that a spreadsheet would read as a formula is escaped' row "^\"'=cmd()\",wrong,\"\",\".* differ .*\",missing,\"\",\"\"$"
+check 'a file that includes the published solution is the same as that' row '^"include",wrong,"the published solution","does not run: .*#version in an included file'
+check 'the same text from two students is recognised, whatever its names, blanks and comments' row '^"twin",wrong,"the other twin","does not run: '
+check 'a few words are nobody'"'"'s' row '^"idle",wrong,"",".* differ .*",wrong,"","does not run'
+check 'two files of one student are not compared' row '^"again",wrong wrong,"","does not run'
+check 'a pipe is refused without waiting for it' row '^"pipe",wrong,"","not a regular file"'
 check 'a file whose name contains a line break is reported, and the others are marked' grep -q 'odd/00_2.*the name has a tab or a line break' "$scratch/said"
 check 'the table has no other rows' [ "$(wc -l <"$scratch/marks.csv")" = 10 ]
 check 'a file whose name contains no exercise is reported' grep -q 'nameless/ball.frag: its name contains none of 00_2 00_3, so the file is not marked' "$scratch/said"
-check 'the marks are counted' grep -q '^9 students; answers: 2 right, 5 wrong, 4 copied$' "$scratch/said"
+check 'the marks are counted' grep -q '^9 students; answers: 3 right, 10 wrong; 3 almost the same as another$' "$scratch/said"
 pictures() {
     grep -q '<td>00_3<td>right' build/marks/index.html &&
         grep -o 'src="[^"]*' build/marks/index.html >"$scratch/pictures" &&
@@ -70,8 +71,54 @@ interrupted() {
     [ $? = 143 ] && [ -n "$judge" ] && [ ! -e "/proc/${judge// /}" ] && [ ! -e "$new" ] && diff -r "$scratch/old" build/marks
 }
 [ ! -r "/proc/$$/task/$$/children" ] || check 'the judge ends with marks.sh, and the old marks stay' interrupted
-one_folder() { cp "$class/copy/00_2.frag" "$scratch/ada_00_2.frag" && marks "$scratch/*.frag" 00_2 && row '^"ada",copied,'; }
+one_folder() { cp "$class/copy/00_2.frag" "$scratch/ada_00_2.frag" && marks "$scratch/*.frag" 00_2 && row '^"ada",right,'; }
 check "in a single folder, the student's name is taken from the name of the file" one_folder
+
+# ---- Whose text is the same ----
+
+# like TEXT...: prints what likeness.awk says of the answers of as many students, 'a' to 'z', separated by '|'. $course
+# and $solution are texts of the course.
+course='' solution='a solution'
+like() {
+    local text student=({a..z}) number=0
+    {
+        printf '\001course\n%s\001solution\t00_2\t\n%s' "$course" "$solution"
+        for text; do printf '\001answer\t00_2\t%s\n%s' "${student[number]}" "$text" && number=$((number + 1)); done
+    } | awk -f .make/likeness.awk | paste -s -d '|' -
+}
+are() { # WANTED TEXT...
+    local found
+    found=$(like "${@:2}")
+    [ "$found" = "$1" ] || { echo "# $found"; return 1; }
+}
+mine='float far(vec3 p, float size) { vec3 q = abs(p) - size, r = max(q, 0.0); float inside = min(max(q.x, q.z), 0.0); return length(r) + inside; }'
+mine+=$'\n#define near far\nvoid main() { vec3 d = vec3(near(d, 1.5), 2.5, 3.5); gl_FragColor = vec4(sin(d.x) * d, cos(d.y) + exp(d.z)); }'
+theirs=$(sed 's/far/f1/g; s/near/g1/; s/near/g1/; s/\<p\>/a/g; s/size/b/g; s/\<q\>/c/g; s/\<r\>/e/g; s/inside/f/g; s/\<d\>/dd/g' <<<"$mine")
+check 'a copy with other names is found, in both directions' are 'b|a|' "$mine" "$theirs" 'float other = 1.0;'
+check 'so is a copy without blanks, with comments, and with its functions in another order' are 'b|a' "$mine" "$(tail -n 1 <<<"$theirs" | sed 's/;/; \/* a\n*b *\/ /g; s/$/ \/\/ c/')
+$(head -n 2 <<<"$theirs" | sed 's/ = /=/g; s/, /,/g')"
+check 'so is a copy in which a number is changed' are 'b|a' "$mine; float a = 1.0, b = 2.0 + a, c = 3.0 + a * b;" "$theirs; float a = 1.0, b = 2.0 + a, c = 4.0 + a * b;"
+check 'a text with other operations is not' are '|' "$mine" "$(tr '+-' '*/' <<<"${mine//min/max}")"
+course=$mine check 'what the course contains does not count' are '|' "$mine" "$theirs"
+course=${mine//2.5/4.5} check 'a changed number alone accuses nobody' are '|' "$mine" "$mine"
+check 'what two of three students have is the same' are 'b|a|' "$mine" "$theirs" 'int x;'
+check 'what five have, a quarter of the class and more, does not count' are '||||' "$mine" "$theirs" "$mine" "$theirs" "$mine"
+given=$mine$'\n'
+own=$(sed 's/sin/tan/g; s/max/pow/g; s/min/mod/g; s/abs/sqrt/g; s/[+]/-/g; s/5/7/g' <<<"$mine")
+check 'then only the rest is compared' are '||||f|e|' "$given int a;" "$given int b = 2;" "$given" "$given int c = 4;" "$given $own" "$theirs${own//inside/g}" 'int x;'
+solution=$theirs check 'a text that is the published solution is found' are 'the published solution|' "$mine" 'int x;'
+solution=$theirs check 'even if half of the class hands it in' are 'the published solution, b|the published solution, a||' "$mine" "$mine" 'int x;' 'int y;'
+check 'a published solution that is included is found' are 'the published solution' $'int x;\n # include "../solutions/00.frag" // mine'
+check 'in a comment it is not' are '' $'int x;\n// #include "../solutions/00.frag"'
+check 'answers to other exercises are not compared' eval "[ \"\$({ printf '\\001answer\\t00_1\\ta\\n%s' \"\$mine\"; printf '\\001answer\\t00_2\\tb\\n%s' \"\$mine\"; } | awk -f .make/likeness.awk | tr -d '\\n')\" = '' ]"
+hostile() { # one line of 64 KiB, a comment that is never closed, bytes that are no text
+    local long
+    long=$(head -c 65536 /dev/zero | tr '\0' '/') && are '||' "${long//\//1+}" "/*$long" "$(head -c 60000 build/00_first_scene | tr -d '\0\001')"
+}
+check 'long lines, open comments and texts that are none are read in a moment' hostile
+
+# ---- Requests that are refused ----
+
 refuses() { # WORDS FILES EXERCISES CSV
     marks "${@:2}"
     [ $? = 2 ] && [ "$(wc -l <"$scratch/said")" = 1 ] && grep -q -e "$1" "$scratch/said"
@@ -136,7 +183,7 @@ cat >"$scratch/expected" <<'END'
 END
 printf '"%s"\n' "$(printf 'x%.0s' {1..255})" >>"$scratch/expected"
 echo "\"'＝3\"" >>"$scratch/expected"
-named() { marks "$class/*/00_2.frag" 00_2 && sed '1d; s/,wrong,"does not run.*//' "$scratch/marks.csv" | diff "$scratch/expected" -; }
+named() { marks "$class/*/00_2.frag" 00_2 && sed '1d; s/,wrong,"","does not run.*//' "$scratch/marks.csv" | diff "$scratch/expected" -; }
 check 'every student has a row, whatever the name' named
 clean() { # true if the files contain no control characters, and only UTF-8
     ! grep -n '[[:cntrl:]]' "$@" && iconv -f UTF-8 -t UTF-8 "$@" >/dev/null
