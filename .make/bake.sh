@@ -12,11 +12,10 @@ mesh=$MESH
 name=${mesh##*/}
 name=${name%.obj}.png
 ! [ "$mesh" -ef "build/$name" ] || fail 2 "MESH=$MESH: the picture would replace this file: give it another name"
-echo "$(plain "$MESH"): its distance is computed at 64 x 64 x 64 points, for a picture and the window that follows"
 begin build || exit 1
 build/shaders/textures/clay "$mesh" >"$new/picture" || exit 1
 mv "$new/picture" "$new/$name" 2>/dev/null || fail 1 "build/$name: cannot be written: the name is too long"
 keep "$name" || exit 1
 discard
-plain "written  build/$name"
+plain "written  build/$name: the distance to $mesh at 64 x 64 x 64 points; a window shows it"
 CHAPTER=23 exec .make/run.sh --texture "grid=build/$name" --set eyes=false "$@"

@@ -1,8 +1,8 @@
 #include "dialects/formats.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 
 #include "report.h"
 
@@ -76,6 +76,16 @@ static bool has_directive(const struct glsl *code, const char *word, bool pragma
     return t->kind != GLSL_END;
 }
 
+// True if a text begins with a word, in capitals or not.
+static bool begins_with(const char *text, const char *word)
+{
+    while (*word != '\0' && tolower((unsigned char)*text) == tolower((unsigned char)*word)) {
+        text++;
+        word++;
+    }
+    return *word == '\0';
+}
+
 static bool applies(const char *clue, const char *file, const struct glsl *code)
 {
     const struct glsl_token *t = code->statement;
@@ -83,9 +93,9 @@ static bool applies(const char *clue, const char *file, const struct glsl *code)
     char function[32];
     switch (clue[0]) {
     case '.':
-        return name > length && strcasecmp(file + name - length, clue) == 0;
+        return name > length && begins_with(file + name - length, clue);
     case '^':
-        return strncasecmp(code->text + strspn(code->text, " \t\n"), clue + 1, length - 1) == 0;
+        return begins_with(code->text + strspn(code->text, " \t\n"), clue + 1);
     case '`':
     case '"':
         while (t->kind != GLSL_END && t->sign != clue[0])

@@ -61,7 +61,7 @@ make_project() {
     printf '01\n    A sentence.\n' >docs/lecture.txt
     printf '<!-- benchmark -->\n<!-- /benchmark -->\n<!-- marches -->\n<!-- /marches -->\n' >docs/benchmark.md
     for name in LICENSE Makefile docs/web/live.css docs/web/LICENSE.fonts docs/web/guesses.txt common/picture/font/README tests/course/a.sh tests/course/a.mjs .ci/run \
-        docs/web/site.css docs/web/site.js docs/web/find.js docs/web/guess.js docs/web/question.js docs/web/play.js docs/web/edits.js docs/web/icon.svg docs/figures/a.svg \
+        docs/web/site.css docs/web/site.js docs/web/find.js docs/web/guess.js docs/web/question.js docs/web/play.js docs/web/dropped.js docs/web/edits.js docs/web/icon.svg docs/figures/a.svg \
         tests/references/a-solution-1.png shaders/textures/noise.png; do
         printf 'solutions/\n' >"$name"
     done
@@ -129,12 +129,12 @@ END
     stand_in "$scratch/bin/pdfinfo" <<'END'
 echo 'Pages: 1'
 END
-    # node OUT...: the site, or the packed texts.
+    # node SCRIPT OUT...: the site, or the packed texts.
     stand_in "$scratch/bin/node" <<'END'
 [ ! -e "$project/broken" ] || { echo 'Error: broken' >&2; exit 1; }
 case $1 in
 */site.mjs) for page in index one two; do halves "$2/$page.html" || exit; done ;;
-*) halves "$3" ;;
+*) mkdir -p "$2/course" && halves "$2/course.json" ;;
 esac
 END
     stand_in build/node/node_modules/.bin/esbuild <<'END'
