@@ -66,7 +66,7 @@ vec3 traceView(vec2 pixel)
 #elif VIEW == VIEW_STEPS
     return rampView(trace.allSteps, 64, pixel); // of all marches, with those of the shadow rays
 #elif VIEW == VIEW_EVALUATIONS
-    return rampView(trace.evaluations, 256, pixel); // by marches and normals
+    return rampView(trace.evaluations, 64, pixel); // of the scene, by marches and normals
 #else
 #error traceView has no case for this view
 #endif
