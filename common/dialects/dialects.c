@@ -83,7 +83,7 @@ static bool explain(const struct shader_source *source, const char *log)
             "FC: a short name from twigl: write gl_FragCoord, declare uniform vec2 "
             "resolution; and uniform float time; and put everything into void "
             "main()");
-    if (glsl_find(code, "main") == NULL && image == NULL)
+    if (glsl_find(code, "main") == NULL && image == NULL && glsl_mentions(code, "error") == 0)
         return !report("%s: draws no picture, because it has no main: write void main(), or "
                        "mainImage as in Shadertoy, or begin with #include \"main.glsl\" as the "
                        "chapters do",

@@ -19,7 +19,7 @@
 //   @ab       a statement contains ab directly after an @
 //   #ab, %ab  there is a directive #ab, or a #pragma ab
 //   {ab       the first comment is JSON and contains ab
-//   =ab       a statement certainly contains ab, which is no macro
+//   =ab       a statement certainly contains the type ab, which is no macro, before a name
 //   ab()      the text defines the function ab, and neither main nor mainImage
 //   ab        the text mentions ab
 // clang-format off
@@ -97,7 +97,9 @@ static bool applies(const char *clue, const char *file, const struct glsl *code)
     case '^':
         return begins_with(code->text + strspn(code->text, " \t\n"), clue + 1);
     case '`':
-    case '"':
+    case '"': // an include may be malformed, which has a message of its own
+        if (clue[0] == '"' && has_directive(code, "include", false))
+            return false;
         while (t->kind != GLSL_END && t->sign != clue[0])
             t++;
         return t->kind != GLSL_END;
@@ -110,8 +112,8 @@ static bool applies(const char *clue, const char *file, const struct glsl *code)
     case '{':
         return has_member(code, clue + 1);
     case '=':
-        t = glsl_find(code, clue + 1);
-        return t != NULL && t->certain && !t->directive;
+        t = glsl_find(code, clue + 1); // float half2 = ... is no type
+        return t != NULL && t->certain && !t->directive && glsl_is_word(t[1].text[0]);
     }
     if (clue[length - 1] != ')')
         return glsl_mentions(code, clue) > 0;

@@ -3,7 +3,7 @@
 # after tap.sh; the file sets up a display.
 
 chapter=01_normal_colouring
-still='-s 320x200 -c 1.65,1.6,3.4,-26,-23.5'
+still='-a 1 -s 320x200 -c 1.65,1.6,3.4,-26,-23.5'
 program='' window='' manager='' shots=0 picture='' stem=''
 
 # ---- Tools ----

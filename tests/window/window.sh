@@ -101,7 +101,7 @@ fi
 
 # ---- A lecture ----
 
-printf '01 -c 1.65,1.6,3.4,-26,-23.5\n  The picture.\n01 -c 1.65,1.6,3.4,-26,-23.5 -v normals\n  Its normals.\n' >"$scratch/list.txt"
+printf '01 -a 1 -c 1.65,1.6,3.4,-26,-23.5\n  The picture.\n01 -a 1 -c 1.65,1.6,3.4,-26,-23.5 -v normals\n  Its normals.\n' >"$scratch/list.txt"
 start lecture "$scratch/list.txt"
 check 'a lecture fills the screen' eventually size_is 1280x1024
 # The first H shows the panel, the second only the picture.
@@ -114,7 +114,7 @@ check 'Backspace ends the lecture' backspace
 
 # Where coordinates are in pixels, as on Windows and X11, the window itself is larger on a dense display.
 xprop -root -format RESOURCE_MANAGER 8s -set RESOURCE_MANAGER 'Xft.dpi: 192'
-start $chapter -s 160x100 -c 1.65,1.6,3.4,-26,-23.5 && key h
+start $chapter -a 1 -s 160x100 -c 1.65,1.6,3.4,-26,-23.5 && key h
 check 'a window on a display of 192 dots per inch is twice as wide and high' eventually shown expected
 check 'Backspace closes the window on a dense display' backspace
 xprop -root -remove RESOURCE_MANAGER
