@@ -48,7 +48,7 @@ END
 cp chapters/solutions/03_shadows_2.frag "$handed_in/ada/my lamp.frag"
 cp chapters/solutions/03_shadows_1.frag "$handed_in/ada/mine.frag"
 echo '#include "03_shadows.frag"' >"$handed_in/ben/mine.frag"
-echo 'float sceneDistance(vec3 p) { return 1 +; }' >"$handed_in/ben/broken.frag"
+echo 'void main() { float light = 1 +; }' >"$handed_in/ben/broken.frag"
 : >"$handed_in/ben/empty file.frag"
 cat >"$handed_in/endless.frag" <<'END'
 #version 330 core

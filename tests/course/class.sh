@@ -45,7 +45,7 @@ answer 10 | sed 's/visibility(p, normal, toPoint/visibility(p, normal, (lampPosi
 for student in 15 16; do sed 's/= 6.0; /= 5.0; /' "$chapter" | hand_in $student 03_4 wrong '' ' differ '; done
 
 answer 10 | sed 's/vec3 sum/vec4 sum/' | hand_in 17 03_4 wrong '' 'does not run: .*frag:'
-echo 'float sceneDistance(vec3 p) { return 1 +; }' | hand_in 18 03_4 wrong '' 'does not run: .*frag:1'
+echo 'void main() { float light = 1 +; }' | hand_in 18 03_4 wrong '' 'does not run: .*frag:1'
 hand_in 19 03_4 wrong '' 'does not run: .*empty' </dev/null
 hand_in 20 03_4 wrong '' 'does not end: no picture after' <<'END'
 #version 330 core
