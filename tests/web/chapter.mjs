@@ -262,7 +262,7 @@ check('the solution is accepted in the words of make check', await judged(soluti
 const wrong = await judged(`${text}\n`);
 check('the unsolved chapter is rejected in the words of make check', /^Wrong: 0\.21 % of the pixels differ by more than 2 of 255, by at most \d+, most around 428,131, on the right\./.test(wrong), wrong);
 check('a wrong answer is shown with a picture of the difference', await page.locator('.live-two canvas').count() === 2);
-check('a compilation error in an answer is reported with its line number', /^Wrong: does not run: my\.frag:1: error: /.test(await judged('nonsense')), await verdict.textContent());
+check('a compilation error in an answer is reported with its line number', /^Wrong: does not run: my\.frag:1: error: /.test(await judged('void main() { nonsense; }')), await verdict.textContent());
 check('the program beside the exercise still runs', (await state(page)).runs);
 await page.evaluate(([file, text]) => document.querySelector('.live-on').stage.changes.change(file, text), [ANSWER, text]);
 
@@ -287,7 +287,7 @@ await buttons.nth(2).click();
 check('the output of a command uses the reader\'s changes, and the page says so', await page.locator('.live-result > p', {hasText: `With your changes in ${FILE}.`}).waitFor().then(() => true, () => false));
 await first(page).locator('.live-start').click();
 await page.waitForSelector('live-chapter:first-of-type.live-window');
-await edit('nonsense');
+await edit('void main() { nonsense; }');
 check('a change that does not compile is reported with its line number', /^The pictures cannot be compared: right\.png does not run: chapters\/03_shadows\.frag:1: error: /.test(await comparedNow()), await compared.textContent());
 await edit(text);
 await page.locator('.live-result').filter({has: page.locator('.live-verdict')}).getByRole('button', {name: 'Close'}).click();

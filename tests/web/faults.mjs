@@ -55,7 +55,7 @@ check('the console reports no error', said.length === 0, said);
 const answer = (number) => page.locator(`form.check[data-exercise="00-${number}"]`);
 await answer(1).locator('.answer').click();
 await page.waitForSelector('.live-beside .cm-content');
-await page.evaluate(() => { const {changes} = document.querySelector('.live-on').stage; return changes.change(changes.editor.name, 'nonsense'); });
+await page.evaluate(() => { const {changes} = document.querySelector('.live-on').stage; return changes.change(changes.editor.name, 'void main() { nonsense; }'); });
 check('the editor shows an exercise as a separate file, my.frag, as make check calls it', await page.evaluate(() => document.querySelector('[role=tab]').textContent) === 'my.frag' && await page.getByRole('button', {name: 'Download my.frag'}).count() === 1);
 await answer(2).locator('button').first().click();
 await page.waitForFunction(() => document.querySelectorAll('.live-open').length > 0);
