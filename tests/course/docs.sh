@@ -205,11 +205,7 @@ bad_folds() { # PAGE
         END { judge(); if (open) print "line " open ": a fold is not closed" }' "$1"
 }
 
-# The pages that have not been written in the form of the others yet: they begin with the summary that should end their
-# story. This list may only become shorter.
-unwritten=' '
-
-# A chapter's page has all its parts in order. Its story (the text before the parameters) has at most 4000 words, of
+# A chapter's page has all its parts in order. Its story (the text before the parameters) has at most 3800 words, of
 # which at most 300 come before the first figure to drag, and at most three listings below 'From formula to code'.
 bad_form() { # PAGE
     local wanted='' name=${1##*/} of_story
@@ -220,19 +216,14 @@ bad_form() { # PAGE
     ! grep -q '^## What the article does$' "$1" || wanted=${wanted/report/article}
     [[ $name != 00_* ]] || wanted='What to remember,Experiments,Exercises,'
     read -r -a of_story < <(awk -f .make/words.awk "$1")
-    [ "${of_story[0]}" -le 4000 ] || echo "its story has ${of_story[0]} words; at most 4000 are allowed"
-    if [[ $unwritten == *" ${name%%_*} "* ]]; then
-        ! grep -q '^## What to remember$' "$1" || echo "has the form of a page; remove it from 'unwritten' in tests/course/docs.sh"
-        wanted=${wanted#What to remember,}
-    else
-        ((of_story[3] >= 0 && of_story[3] <= 300)) || echo "has no figure to drag among the first 300 words"
-        awk '/^## / { code = /^## From formula to code/; if (/^## Parameters/) exit }
-            code && /^<!-- code:/ { n++ }
-            END { if (n > 3) print "has " n " listings below From formula to code; at most 3 are allowed" }' "$1"
-        awk '/^## What to remember/ { found = 1 } /^### (In short|L.essentiel)/ && !found { print $0 " comes before What to remember" }' "$1"
-        bad_captions "$1"
-        crowded "$1"
-    fi
+    [ "${of_story[0]}" -le 3800 ] || echo "its story has ${of_story[0]} words; at most 3800 are allowed"
+    ((of_story[3] >= 0 && of_story[3] <= 300)) || echo "has no figure to drag among the first 300 words"
+    awk '/^## / { code = /^## From formula to code/; if (/^## Parameters/) exit }
+        code && /^<!-- code:/ { n++ }
+        END { if (n > 3) print "has " n " listings below From formula to code; at most 3 are allowed" }' "$1"
+    awk '/^## What to remember/ { found = 1 } /^### (In short|L.essentiel)/ && !found { print $0 " comes before What to remember" }' "$1"
+    bad_captions "$1"
+    crowded "$1"
     awk -v wanted="$wanted" '
         /^ *```/ { fenced = !fenced }
         !fenced && /^## / {
@@ -503,7 +494,7 @@ check_checks() {
     refuses 'a summary before its story' "$(sed 's/^### In short/&\n/; s/^!\[/### In short\n\n&/' .make/chapter/chapter.md)" bad_form
     refuses 'no figure among its first words' "$(sed '/^make run FIGURE/d' .make/chapter/chapter.md)" bad_form
     refuses 'more than three listings in a row' "$(sed '/^<!-- code:/{p;p;p}' .make/chapter/chapter.md)" bad_form
-    refuses 'a story of more than 4000 words' "$(sed "/^## 1/s/\$/\n\n$(printf 'word %.0s' {1..4000})/" .make/chapter/chapter.md)" bad_form
+    refuses 'a story of more than 3800 words' "$(sed "/^## 1/s/\$/\n\n$(printf 'word %.0s' {1..3800})/" .make/chapter/chapter.md)" bad_form
     refuses 'a picture without a caption' $'![a](a.png)\n\n![b](b.png)\n\n*Predict.* Why?' bad_captions
     refuses 'thirteen numbers in a paragraph' '1 2 3 4 5 6 7 8 (9, 10) $11$ and $x_0 = 12$ or 13 and 14, not `16` or $x^2$' crowded
     printf '1 2 3 4 5 6 7 8 (9, 10) $11$ and $x_0 = 12$ or 13, not `16` or $x^2$\n\n' >"$scratch/twelve.md"
