@@ -156,6 +156,13 @@ check 'the mistake was reported on one line' [ "$(wc -l <"$scratch/said")" = 1 ]
 check 'the close button ends step 2 with status 0' closes
 check 'if the shader has a mistake when step 2 starts, no window opens' fails 1 "^engine: $scratch/wrong.frag:13: " "$steps/engine_2" "$scratch/wrong.frag"
 
+quoted() { # the position that the page's example prints is the one on the page
+    local at
+    sed 's/- radius;/- radios;/' "$sources/2_distance.frag" >"$scratch/mine.frag"
+    at=$("$steps/engine_2" "$scratch/mine.frag" 2>&1 | grep -o 'mine\.frag:[0-9]*: ') && grep -qF "engine: $at" docs/engine.md
+}
+check 'the page quotes the line of the mistake in its example' quoted
+
 check 'step 3 opens a file' begin 3 "$sources/2_distance.frag"
 check 'step 3 draws an undistorted circle' matches_reference 00_first_scene-step-2
 check 'Backspace ends step 3' backspace
