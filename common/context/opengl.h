@@ -75,6 +75,7 @@ typedef uint64_t GLuint64;
 #define GL_TEXTURE1                 0x84C1
 #define GL_TEXTURE_2D               0x0DE1
 #define GL_TEXTURE_3D               0x806F
+#define GL_TEXTURE_CUBE_MAP         0x8513
 #define GL_TEXTURE_MAG_FILTER       0x2800
 #define GL_TEXTURE_MIN_FILTER       0x2801
 #define GL_TEXTURE_WRAP_R           0x8072

@@ -154,33 +154,37 @@ bool tool_inputs_is_own(const struct shader_input *in)
 // What a channel contains in the author's tool, if the file says so.
 struct kind {
     const char *was, *words;
-    bool black; // black is a fair replacement
+    const char *type; // of the black sampler that replaces it; NULL if black does not
 };
 
 static const struct kind *kind_of(const struct shader_source *source, int channel)
 {
-    static const struct kind kinds[] = {{"buffer", "a buffer, the picture of another pass", false},
-                                        {"keyboard", "the keyboard", true},
-                                        {"cubemap", "a cube map", false},
-                                        {"volume", "a volume", false},
-                                        {"mic", "a sound", true},
-                                        {"music", "a sound", true},
-                                        {"musicstream", "a sound", true},
-                                        {"video", "a film", true},
-                                        {"webcam", "a film", true}};
+    static const struct kind kinds[] = {{"buffer", "a buffer, the picture of another pass", NULL},
+                                        {"keyboard", "the keyboard", "sampler2D"},
+                                        {"cubemap", "a cube map", "samplerCube"},
+                                        {"volume", "a volume", "sampler3D"},
+                                        {"mic", "a sound", "sampler2D"},
+                                        {"music", "a sound", "sampler2D"},
+                                        {"musicstream", "a sound", "sampler2D"},
+                                        {"video", "a film", "sampler2D"},
+                                        {"webcam", "a film", "sampler2D"}};
     for (int i = 0; i < COUNT(kinds); i++)
         if (channel >= 0 && strcmp(source->was[channel], kinds[i].was) == 0)
             return &kinds[i];
     return NULL;
 }
 
-bool tool_inputs_lacks(const struct shader_source *source, const struct input *input)
+const char *tool_inputs_sampler(const struct shader_source *source, const struct input *input)
 {
     const struct shader_sampler sampler = {.name = input->name, .channel = input->channel};
-    const struct kind *kind =
-        input->meaning == INPUT_CHANNEL ? kind_of(source, input->channel) : NULL;
+    const struct kind *kind = kind_of(source, input->channel);
+    return kind == NULL || sampler_has_picture(source, &sampler) ? "sampler2D" : kind->type;
+}
+
+bool tool_inputs_lacks(const struct shader_source *source, const struct input *input)
+{
     return input->meaning == INPUT_REFUSED ||
-           (kind != NULL && !kind->black && !sampler_has_picture(source, &sampler));
+           (input->meaning == INPUT_CHANNEL && tool_inputs_sampler(source, input) == NULL);
 }
 
 bool tool_inputs_has_size(const struct shader_source *source, const struct input *input)
@@ -196,7 +200,7 @@ char *tool_inputs_why_black(const struct shader_source *source,
                             const struct shader_sampler *sampler)
 {
     const struct kind *kind = kind_of(source, sampler->channel);
-    if (kind != NULL && kind->black)
+    if (kind != NULL)
         return memory_text("%s is %s, and is black here", sampler->name, kind->words);
     if (GL_IS_ES)
         return memory_text("%s has no picture, and is black: this page cannot read your pictures",

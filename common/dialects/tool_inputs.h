@@ -28,8 +28,12 @@ const struct glsl_token *tool_inputs_cube_map(const struct glsl *code);
 // True for an input that Shadertoy has with exactly the type that the source declares.
 bool tool_inputs_is_own(const struct shader_input *in);
 
+// The type of the sampler for a channel: sampler2D if a picture is given or if the file does not
+// say what the channel contains. NULL for the buffer of another pass.
+const char *tool_inputs_sampler(const struct shader_source *source, const struct input *input);
+
 // True if an input has no value here and every picture would be wrong without it: it is not
-// supported, or it is a channel without a picture that, as the file says, contains no picture.
+// supported, or it is the buffer of another pass.
 bool tool_inputs_lacks(const struct shader_source *source, const struct input *input);
 
 // True if a picture has the size that an INPUT_CHANNEL_SIZE tells.

@@ -65,7 +65,8 @@ static bool add_sampler(struct translation *t, const char *name, const struct in
 {
     struct shader_source *source = t->source;
     int channel = input != NULL ? input->channel : free_channel(t);
-    inputs_add_sampler(source, (struct shader_sampler){name, channel, line});
+    const char *type = input != NULL ? tool_inputs_sampler(source, input) : "sampler2D";
+    inputs_add_sampler(source, (struct shader_sampler){name, type, channel, line});
     for (int i = 0; i < source->sampler_count; i++)
         channel =
             strcmp(source->samplers[i].name, name) == 0 ? source->samplers[i].channel : channel;
@@ -78,9 +79,9 @@ static void add_sizes(struct translation *t, const struct input *size)
 {
     const struct input *input;
     for (int i = 0; (input = tool_inputs_row(i)) != NULL && tool_inputs_is_shadertoy(input); i++)
-        if (input->meaning == INPUT_CHANNEL &&
+        if (input->meaning == INPUT_CHANNEL && !tool_inputs_lacks(t->source, input) &&
             (size->channel < 0 || size->channel == input->channel))
-            inputs_add_sampler(t->source, (struct shader_sampler){input->name, input->channel, 0});
+            add_sampler(t, input->name, input, 0);
 }
 
 static bool take_sampler(struct translation *t, struct declared *at, const struct input *input)
@@ -343,9 +344,10 @@ void translation_undeclared(struct translation *t)
             inputs_add(t->source, inputs_default(input));
         if (input->meaning == INPUT_CHANNEL_SIZE)
             add_sizes(t, input);
-        int type = (int)strcspn(input->type, "[");
+        const char *type = channel ? tool_inputs_sampler(t->source, input) : input->type;
+        int length = (int)strcspn(type, "[");
         if (!t->exported || (!channel && !tool_inputs_is_shadertoy(input)))
-            fprintf(t->inputs, "%s%.*s %s%s;\n", t->exported ? "" : "uniform ", type, input->type,
-                    input->name, input->type + type);
+            fprintf(t->inputs, "%s%.*s %s%s;\n", t->exported ? "" : "uniform ", length, type,
+                    input->name, type + length);
     }
 }

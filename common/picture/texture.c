@@ -173,8 +173,7 @@ static bool upload(struct texture *texture, const struct gl *gl, const struct te
 {
     GLint format = sampler->srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8;
     GLint edge = sampler->repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
-    GLenum target = sampler->slices > 0 ? GL_TEXTURE_3D : GL_TEXTURE_2D;
-    texture->target = target;
+    GLenum target = texture->target;
     memcpy(texture->size, image->size[0], sizeof texture->size);
     gl->GenTextures(1, &texture->texture);
     gl->BindTexture(target, texture->texture);
@@ -195,13 +194,22 @@ static bool upload(struct texture *texture, const struct gl *gl, const struct te
     return gl->GetError() == GL_NO_ERROR;
 }
 
+// A texture without a picture, which is black.
+static struct texture texture_for(const struct sampler *sampler)
+{
+    struct texture texture = {.channel = sampler->channel,
+                              .target = sampler->cube         ? GL_TEXTURE_CUBE_MAP
+                                        : sampler->slices > 0 ? GL_TEXTURE_3D
+                                                              : GL_TEXTURE_2D};
+    memcpy(texture.name, sampler->name, sizeof texture.name);
+    return texture;
+}
+
 // Load the picture of one sampler.
 static bool load(struct texture *texture, const struct gl *gl, const struct sampler *sampler,
                  const char *path, char why[IMAGE_WHY])
 {
     struct texture_image image;
-    *texture = (struct texture){.target = GL_TEXTURE_2D, .channel = sampler->channel};
-    memcpy(texture->name, sampler->name, sizeof texture->name);
     if (!texture_image_read(&image, sampler, path, why))
         return false;
     bool done = within_driver(gl, &image, sampler->slices > 0, why);
@@ -225,9 +233,10 @@ bool textures_load(struct textures *textures, const struct gl *gl, const struct 
         const struct sampler *sampler = &samplers->item[i];
         textures->item = memory_row(textures->item, i, sizeof *textures->item);
         snprintf(why, sizeof why, "the driver supports at most %d textures", units - 2);
-        textures->item[textures->count++] = (struct texture){0};
+        textures->item[textures->count++] = texture_for(sampler);
+        bool black = sampler->file < 0;
         if (i + 2 < units &&
-            load(&textures->item[i], gl, sampler, source->paths[sampler->file], why))
+            (black || load(&textures->item[i], gl, sampler, source->paths[sampler->file], why)))
             continue;
         textures_free(textures, gl);
         return sampler_refuse(source, sampler, "%s", why);

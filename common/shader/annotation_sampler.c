@@ -155,13 +155,20 @@ static bool add_others(struct samplers *samplers, struct shader_source *source)
     for (int i = 0; i < source->sampler_count; i++) {
         const struct shader_sampler *from = &source->samplers[i];
         const char *given = sampler_given(source, from);
-        if (!sampler_has_picture(source, from))
-            continue;
-        struct sampler sampler = {.line = from->line, .channel = from->channel, .repeat = true};
+        struct sampler sampler = {.file = -1,
+                                  .line = from->line,
+                                  .channel = from->channel,
+                                  .repeat = true,
+                                  .slices = strcmp(from->type, "sampler3D") == 0,
+                                  .cube = strcmp(from->type, "samplerCube") == 0};
         snprintf(sampler.name, sizeof sampler.name, "%s", from->name);
-        sampler.file = given != NULL ? shader_take_texture(source, given, why)
-                                     : source->channel[from->channel];
-        if (sampler.file < 0)
+        bool has = sampler_has_picture(source, from);
+        if (has)
+            sampler.file = given != NULL ? shader_take_texture(source, given, why)
+                                         : source->channel[from->channel];
+        else if (!sampler.cube && sampler.slices == 0)
+            continue; // black without a texture unit of its own
+        if (has && sampler.file < 0)
             return shader_refuse(source, from->line, "sampler %s: %s: %s", from->name, given, why);
         add_sampler(samplers, &sampler);
     }

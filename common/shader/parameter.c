@@ -286,8 +286,9 @@ bool sampler_refuse(const struct shader_source *source, const struct sampler *sa
     va_start(arguments, format);
     vsnprintf(why, sizeof why, format, arguments);
     va_end(arguments);
-    return shader_refuse(source, sampler->line, "sampler %s: %s: %s", sampler->name,
-                         source->files[sampler->file], why);
+    return shader_refuse(source, sampler->line, "sampler %s: %s%s%s", sampler->name,
+                         sampler->file < 0 ? "" : source->files[sampler->file],
+                         sampler->file < 0 ? "" : ": ", why);
 }
 
 // ---- The tables ----
@@ -362,7 +363,7 @@ void samplers_print(const struct samplers *samplers, const struct shader_source 
         const struct sampler *s = &samplers->item[i];
         char **row = cell + 6 * (i + 1);
         row[0] = memory_text("%s", s->name);
-        row[1] = memory_text("%s", source->files[s->file]);
+        row[1] = memory_text("%s", s->file < 0 ? "-" : source->files[s->file]);
         row[2] = memory_text("%s", s->srgb ? "sRGB" : "linear");
         row[3] = memory_text("%s", s->repeat ? "repeat" : "clamp");
         row[4] = s->slices > 0 ? memory_text("%d", s->slices) : memory_text("-");

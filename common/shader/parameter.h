@@ -58,11 +58,12 @@
 
 struct sampler {
     char name[64];
-    int file;          // index of the picture among the files of the source
+    int file;          // index of the picture among the files of the source; -1 for black
     int line;          // line of the text that declares the sampler, from 0
     int channel;       // 0 to 3 for Shadertoy's iChannelN and the like; -1 for any other sampler
     bool srgb, repeat; // if false: linear, clamp
     int slices;        // number of slices of a volume; 0 for a picture
+    bool cube;         // a cube map
     char meaning[200];
 };
 

@@ -41,6 +41,8 @@ struct shader_request {
 // that of its channel; without either, it is black.
 struct shader_sampler {
     const char *name; // of its uniform; not owned
+    const char *type; // sampler2D; for Shadertoy's cube maps and volumes, which are black here,
+                      // samplerCube and sampler3D
     int channel;      // 0 to 3; -1 for a fifth one, which only --texture reaches
     int line; // of the text, from 0: its declaration or, if there is none, its first mention
 };

@@ -134,6 +134,16 @@ $head { vec4 texture0 = texture(iChannel0, vec2(0.2, 0.75)), texture3 = texture(
 GLSL
 is_white same_channel 'one picture has the names of two tools' --channel "1=$scratch/rows.png" <<<"$head { c = texture(iChannel1, vec2(0.2, 0.75)) * texture(texture1, vec2(0.2, 0.75)); }"
 
+# Samplers of three types are black side by side.
+blacks() {
+    cat >"$scratch/blacks.json" <<'JSON'
+[{"renderpass":[{"inputs":[{"channel":0,"ctype":"volume"},{"channel":1,"ctype":"cubemap"},{"channel":3,"ctype":"music"}],"type":"image",
+"code":"void mainImage(out vec4 c, vec2 p) { c = vec4(texture(iChannel0, vec3(0.5)) + textureLod(iChannel1, vec3(1), 0.0) + texture(iChannel2, p) + texelFetch(iChannel3, ivec2(0), 0) == vec4(0, 0, 0, 4)); }"}]}]
+JSON
+    said=$("$program" -f "$scratch/blacks.json" "${size[@]}" -o "$scratch/blacks.png" 2>&1) && same blacks white && [ "$(grep -c 'warning: .* black' <<<"$said")" = 4 ]
+}
+check 'a volume, a cube map, a sound and a channel without a picture are black, with a warning each' blacks
+
 # ---- Huge and malformed text ----
 
 # The time to read a shader must be proportional to its length. If it is not, the suite hangs, and tests/run ends it.
