@@ -174,12 +174,15 @@ static void warn_of_black(struct shader_source *source, const struct gl *gl, GLu
         if (!sampler_has_picture(source, s) && gl->GetUniformLocation(program, s->name) >= 0)
             warn(source, s->line, tool_inputs_why_black(source, s));
     }
-    for (int i = 0; i < source->input_count && source->unset == NULL; i++) {
+    for (int i = 0; i < source->input_count; i++) {
         const struct input *input = source->inputs[i].input;
-        if (input->meaning == INPUT_CHANNEL_SIZE && !tool_inputs_has_size(source, input) &&
-            gl->GetUniformLocation(program, input->name) >= 0)
+        bool silent = input->meaning == INPUT_SILENT;
+        bool sizes = input->meaning == INPUT_CHANNEL_SIZE && source->unset == NULL &&
+                     !tool_inputs_has_size(source, input);
+        if ((silent || sizes) && gl->GetUniformLocation(program, input->name) >= 0)
             warn(source, glsl_find(&source->code, input->name)->line,
-                 memory_text("%s is 0, because no channel has a picture", input->name));
+                 memory_text("%s is 0: %s", input->name,
+                             silent ? input->text : "no channel has a picture"));
     }
 }
 

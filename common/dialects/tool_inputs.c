@@ -30,13 +30,12 @@
 static const struct input toys[] = {
     FLOAT("iFrameRate", RATE), CHANNEL("iChannel0", 0), CHANNEL("iChannel1", 1),
     CHANNEL("iChannel2", 2), CHANNEL("iChannel3", 3),
-    {"iChannelResolution", "vec3[4]", INPUT_CHANNEL_SIZE, -1, ""}, FLOAT("iSampleRate", SOUND_RATE)
+    {"iChannelResolution", "vec3[4]", INPUT_CHANNEL_SIZE, -1, ""}, FLOAT("iSampleRate", SOUND_RATE),
+    {"iChannelTime", "float[4]", INPUT_SILENT, 0, "there are no films or sounds here"}
 };
 
 static const struct input rows[] = {
-    // Shadertoy's old name for iTime, and an input that is not supported
-    FLOAT("iGlobalTime", TIME),
-    {"iChannelTime", "float[4]", INPUT_REFUSED, 0, "there are no films or sounds here"},
+    FLOAT("iGlobalTime", TIME), // Shadertoy's old name for iTime
     // The Book of Shaders, glslViewer, glsl.app
     VEC2("u_resolution", SIZE), FLOAT("u_time", TIME), VEC2("u_mouse", POINTER),
     FLOAT("u_delta", STEP), VEC4("u_date", DATE), INT("u_frame", FRAME), CHANNEL("u_tex0", 0),
@@ -104,12 +103,6 @@ const struct input *tool_inputs_find(const char *name)
 bool tool_inputs_is_shadertoy(const struct input *input)
 {
     return inputs_is_shared(input) || (input >= toys && input < toys + COUNT(toys));
-}
-
-bool tool_inputs_is_toys(const char *name)
-{
-    const struct input *input = tool_inputs_find(name);
-    return input != NULL && (tool_inputs_is_shadertoy(input) || input->meaning == INPUT_REFUSED);
 }
 
 // The length of the longest part that two names have in common, ignoring case.
@@ -183,8 +176,7 @@ const char *tool_inputs_sampler(const struct shader_source *source, const struct
 
 bool tool_inputs_lacks(const struct shader_source *source, const struct input *input)
 {
-    return input->meaning == INPUT_REFUSED ||
-           (input->meaning == INPUT_CHANNEL && tool_inputs_sampler(source, input) == NULL);
+    return input->meaning == INPUT_CHANNEL && tool_inputs_sampler(source, input) == NULL;
 }
 
 bool tool_inputs_has_size(const struct shader_source *source, const struct input *input)

@@ -16,9 +16,6 @@ const struct input *tool_inputs_row(int index);
 // True for an input of Shadertoy.
 bool tool_inputs_is_shadertoy(const struct input *input);
 
-// True for any name that Shadertoy declares, even if the input is not supported here.
-bool tool_inputs_is_toys(const char *name);
-
 // The input whose name is most similar to the given name, for messages; NULL if none is similar.
 const struct input *tool_inputs_nearest(const char *name);
 
@@ -32,8 +29,7 @@ bool tool_inputs_is_own(const struct shader_input *in);
 // say what the channel contains. NULL for the buffer of another pass.
 const char *tool_inputs_sampler(const struct shader_source *source, const struct input *input);
 
-// True if an input has no value here and every picture would be wrong without it: it is not
-// supported, or it is the buffer of another pass.
+// True for the buffer of another pass: every picture would be wrong without it.
 bool tool_inputs_lacks(const struct shader_source *source, const struct input *input);
 
 // True if a picture has the size that an INPUT_CHANNEL_SIZE tells.

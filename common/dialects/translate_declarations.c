@@ -334,7 +334,8 @@ void translation_undeclared(struct translation *t)
     const struct input *input;
     for (int i = 0; (input = tool_inputs_row(i)) != NULL; i++) {
         if (glsl_mentions(t->code, input->name) == 0 || glsl_find(t->code, input->name) == NULL ||
-            input->meaning == INPUT_POSITION || input->meaning >= INPUT_SILENT ||
+            input->meaning == INPUT_POSITION ||
+            (input->meaning == INPUT_SILENT && !tool_inputs_is_shadertoy(input)) ||
             tool_inputs_lacks(t->source, input) || declared_anywhere(t->code, input->name))
             continue;
         bool channel = input->meaning == INPUT_CHANNEL;

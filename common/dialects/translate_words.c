@@ -166,10 +166,11 @@ static void mark_names(struct translation *t)
             !tool_inputs_is_own(&t->source->inputs[i]))
             mark_own(t, t->source->inputs[i].input->name);
     while (declared_next(&at))
-        if (at.kind == DECLARED_VARIABLE && at.name->depth == 0 && tool_inputs_is_toys(at.word))
+        if (at.kind == DECLARED_VARIABLE && at.name->depth == 0 &&
+            (input = tool_inputs_find(at.word)) != NULL && tool_inputs_is_shadertoy(input))
             mark_own(t, at.word);
-    for (int i = 0; (input = tool_inputs_row(i)) != NULL; i++)
-        if (tool_inputs_is_toys(input->name) && glsl_find_definition(t->code, input->name) != NULL)
+    for (int i = 0; (input = tool_inputs_row(i)) != NULL && tool_inputs_is_shadertoy(input); i++)
+        if (glsl_find_definition(t->code, input->name) != NULL)
             mark_own(t, input->name);
 }
 
