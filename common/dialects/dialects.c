@@ -13,8 +13,6 @@
 #include "memory.h"
 #include "report.h"
 
-#define COUNT(array) (sizeof(array) / sizeof *(array))
-
 // ---- Shadertoy's function ----
 
 static bool refuse_image(const struct shader_source *source, const struct glsl_token *image)
@@ -135,27 +133,26 @@ static void warn(struct shader_source *source, int line, char *why)
 // Warn that nothing sets a uniform or a block, and say how to give it a value.
 static void warn_of(struct shader_source *source, const struct declared *at)
 {
-    static const char *const types[][3] = {{"float", "1.0", "1 in [0, 4]"},
-                                           {"int", "1", "1 in [0, 4]"},
-                                           {"bool", "true", "true"},
-                                           {"vec2", "vec2(1.0)", "1 in [0, 4]"},
-                                           {"vec3", "vec3(1.0)", "1 in [0, 4]"},
-                                           {"vec4", "vec4(1.0)", "1 in [0, 4]"}};
     const struct input *input = tool_inputs_find(at->word);
     bool silent = input != NULL && input->meaning == INPUT_SILENT;
-    const char *type = at->type->text;
-    size_t i = 0;
-    while (i < COUNT(types) && strcmp(type, types[i][0]) != 0)
-        i++;
+    const char *type = at->type->text, *one = "1.0";
+    char base = ' ', vector[16];
+    int components = glsl_type(type, &base);
+    if (components > 1)
+        snprintf(vector, sizeof vector, "%s(1.0)", type), one = vector;
+    else if (base != 'f')
+        one = base == 'i' ? "1" : "true";
+    bool parameter = base == 'f' || (components == 1 && strchr("ib", base) != NULL);
     char *why;
     if (at->kind == DECLARED_BLOCK)
         why = memory_text("the members of the block %s are 0: nothing sets them; declare variables "
                           "with a value instead",
                           at->word);
-    else if (!silent && i < COUNT(types) && at->name[1].sign != '[')
-        why = memory_text("uniform %s %s is 0: nothing sets it; give it a value: uniform %s %s = "
-                          "%s; // %s",
-                          type, at->word, type, at->word, types[i][1], types[i][2]);
+    else if (!silent && parameter && at->name[1].sign != '[')
+        why =
+            memory_text("uniform %s %s is 0: nothing sets it; give it a value: uniform %s %s = "
+                        "%s; // %s",
+                        type, at->word, type, at->word, one, base == 'b' ? "true" : "1 in [0, 4]");
     else
         why = memory_text("uniform %s %s is 0: %s", type, at->word,
                           silent                          ? input->text
@@ -202,12 +199,26 @@ static void warn_of_unset(struct shader_source *source)
     }
 }
 
+// Warn of smoothstep with two equal edges, which divides by 0.
+static void warn_of_edges(const struct shader_source *source)
+{
+    const struct glsl_token *t = NULL;
+    while ((t = glsl_find_next(&source->code, t, "smoothstep")) != NULL)
+        if (t[1].sign == '(' && t[2].kind == GLSL_NUMBER && t[3].sign == ',' &&
+            t[4].kind == GLSL_NUMBER && t[4].name == t[2].name && t[5].sign == ',')
+            shader_refuse(source, t->line,
+                          "warning: smoothstep(%s, %s, ...) divides by 0, and drivers draw it "
+                          "differently: write step(%s, ...)",
+                          t[2].text, t[4].text, t[2].text);
+}
+
 static bool accept(struct shader_source *source, const struct gl *gl, GLuint program)
 {
     const struct glsl *code = &source->code;
     if (source->dialect != DIALECT_COURSE && source->unset == NULL) {
         warn_of_black(source, gl, program);
         warn_of_unset(source);
+        warn_of_edges(source);
     }
     if (source->dialect != DIALECT_WHOLE)
         return true;
