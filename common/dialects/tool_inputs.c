@@ -1,6 +1,5 @@
 #include "dialects/tool_inputs.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -103,35 +102,6 @@ const struct input *tool_inputs_find(const char *name)
 bool tool_inputs_is_shadertoy(const struct input *input)
 {
     return inputs_is_shared(input) || (input >= toys && input < toys + COUNT(toys));
-}
-
-// The length of the longest part that two names have in common, ignoring case.
-static int common_length(const char *one, const char *other)
-{
-    int best = 0;
-    for (const char *a = one; *a != '\0'; a++)
-        for (const char *b = other; *b != '\0'; b++) {
-            int length = 0;
-            while (a[length] != '\0' &&
-                   tolower((unsigned char)a[length]) == tolower((unsigned char)b[length]))
-                length++;
-            best = length > best ? length : best;
-        }
-    return best;
-}
-
-const struct input *tool_inputs_nearest(const char *name)
-{
-    const struct input *best = NULL;
-    int length = 3; // a common part of at most three letters is not similar enough
-    for (int i = 0; i < COUNT(rows); i++) {
-        int common = common_length(name, rows[i].name);
-        if (common > length && rows[i].meaning < INPUT_SILENT) {
-            best = &rows[i];
-            length = common;
-        }
-    }
-    return best;
 }
 
 bool tool_inputs_is_own(const struct shader_input *in)

@@ -16,9 +16,6 @@ const struct input *tool_inputs_row(int index);
 // True for an input of Shadertoy.
 bool tool_inputs_is_shadertoy(const struct input *input);
 
-// The input whose name is most similar to the given name, for messages; NULL if none is similar.
-const struct input *tool_inputs_nearest(const char *name);
-
 // The first mention of a channel that is read as a cube map, or NULL if there is none.
 const struct glsl_token *tool_inputs_cube_map(const struct glsl *code);
 

@@ -137,24 +137,16 @@ static bool take_value(struct translation *t, struct declared *at, const struct 
 // Translate the declaration of an input that differs from pixel to pixel.
 static bool take_position(struct translation *t, struct declared *at, const struct shader_input *in)
 {
-    const struct input *nearest = tool_inputs_nearest(at->word);
     if (in->input != NULL && in->input->meaning == INPUT_POSITION)
         inputs_add(t->source, *in);
-    else if (is_used(at) && strstr(at->word, "ormal") != NULL)
-        return shader_refuse(t->source, at->name->line,
-                             "in %s %s: the normal of a 3D model, and there are no models here: "
-                             "compute it in the shader",
-                             at->type->text, at->word);
-    else if (is_used(at) && nearest != NULL)
-        return shader_refuse(t->source, at->name->line,
-                             "in %s %s: there is no such input; the nearest is %s: "
-                             "docs/using.md lists all inputs",
-                             at->type->text, at->word, nearest->name);
     else if (is_used(at))
         return shader_refuse(t->source, at->name->line,
                              "in %s %s: comes from a vertex shader of its own program, and none "
-                             "runs here: compute it in the shader",
-                             at->type->text, at->word);
+                             "runs here: %s",
+                             at->type->text, at->word,
+                             glsl_is(at->type, "vec2")
+                                 ? "call it v_texcoord if it is the position in the picture"
+                                 : "compute it in the shader");
     return store(t, at, "in");
 }
 

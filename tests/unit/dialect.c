@@ -304,7 +304,7 @@ IN_PROJECT(test_inputs_and_textures_are_checked_and_translated)
     assert_refused("layout(location = 3) in vec2 k; " WRITES,
                    "in vec2 k: comes from a vertex shader");
     assert_refused("varying vec2 k, vTexCoor; out vec4 A; void main() { A = vTexCoor.xyxy; }\n",
-                   "the nearest is vTexCoord");
+                   "call it v_texcoord if");
     assert_dialect("#version 330 core\n#ifdef OLD\nin vec2 k;\n#else\nfloat k;\n#endif\n" WRITES,
                    DIALECT_WHOLE);
     assert_dialect("#version 330 core\nuniform sampler2D tex; float k; " WRITES, DIALECT_WHOLE);
