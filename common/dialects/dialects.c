@@ -232,8 +232,7 @@ static bool accept(struct shader_source *source, const struct gl *gl, GLuint pro
                   source->files[0]);
 }
 
-const struct dialects dialects = {.admit = formats_check,
-                                  .unpack = unpack,
+const struct dialects dialects = {.unpack = unpack,
                                   .obey = directives_obey,
                                   .take = take,
                                   .explain = explain,

@@ -5,7 +5,9 @@
 
 #include "shader/source.h"
 
-// The member admit of struct dialects.
+// Refuse a file of another format, in one line that names the format. Returns true, without a
+// report, for any other file.
+//   text  NULL if the file contains no text
 bool formats_check(const char *file, const char *text);
 
 // Refuse a file that sets gl_Position. Always returns false.

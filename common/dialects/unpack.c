@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "dialects/formats.h"
 #include "memory.h"
 #include "report.h"
 
@@ -208,6 +209,9 @@ static void unpack_isf(const char *header, const char *text, char *part[2])
 
 bool unpack(struct shader_source *source, const char *text, char *part[2], bool *done)
 {
+    *done = formats_check(source->files[0], text);
+    if (text == NULL || !*done)
+        return !*done;
     const char *root = skip_blanks(text), *header = root + strspn(root, "/* \t\n");
     bool json = *root == '{' || (*root == '[' && *skip_blanks(root + 1) == '{');
     if (json)

@@ -11,14 +11,10 @@
 
 // Each function may be NULL.
 struct dialects {
-    // Refuse the first file, in one line, if it is of another format than a shader's text, as its
-    // name or its text shows. Returns true, without a report, for any other file.
+    // If the first file contains a shader's text and more, fill part with its texts, in order,
+    // which the caller frees. If it is of another format, as its name or its text shows, clear done
+    // after reporting the format in one line. Returns false for any other file.
     //   text  NULL if the file contains no text
-    bool (*admit)(const char *file, const char *text);
-
-    // If the text of the first file contains a shader's text and more, fill part with its texts, in
-    // order, which the caller frees; or clear done after reporting why it cannot be read. Returns
-    // false for any other text.
     bool (*unpack)(struct shader_source *source, const char *text, char *part[2], bool *done);
 
     // Obey a directive that only another tool understands, such as #iUniform.

@@ -213,16 +213,13 @@ static bool expand_file(struct expansion *e, int file, const char *where)
 {
     char why[TEXT_FILE_WHY];
     char *text = text_file_read(e->source->paths[file], why);
-    if (file == 0 && dialects.admit != NULL && !dialects.admit(e->source->files[0], text)) {
-        free(text);
-        return false;
-    }
-    if (text == NULL)
-        return report("%s: %s", where, why);
     char *part[2] = {0};
-    bool done = true;
+    bool done = true, unpacked = file == 0 && dialects.unpack != NULL &&
+                                 dialects.unpack(e->source, text, part, &done);
+    if (text == NULL && !unpacked)
+        return report("%s: %s", where, why);
     e->open[e->depth++] = file;
-    if (file == 0 && dialects.unpack != NULL && dialects.unpack(e->source, text, part, &done)) {
+    if (unpacked) {
         done = done && expand_text(e, 0, part[0]) && expand_text(e, 0, part[1]);
         free(part[0]);
         free(part[1]);
