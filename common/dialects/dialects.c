@@ -69,8 +69,7 @@ static bool take(struct shader_source *source)
 static bool explain(const struct shader_source *source, const char *log)
 {
     const struct glsl *code = &source->code;
-    const struct glsl_token *cube = tool_inputs_cube_map(code),
-                            *image = glsl_find(code, "mainImage");
+    const struct glsl_token *image = glsl_find(code, "mainImage");
     const struct input *input;
     const struct glsl_token *pixel = glsl_find(code, "FC");
     if (glsl_mentions(code, "gl_Position") > 0)
@@ -98,11 +97,6 @@ static bool explain(const struct shader_source *source, const char *log)
         if (token != NULL)
             return !tool_inputs_refuse(source, input, token->line);
     }
-    if (cube != NULL)
-        return !shader_refuse(source, cube->line,
-                              "%s is read at a vec3, as a cube map or a volume, and neither is "
-                              "supported here: a picture is read at a vec2",
-                              cube->text);
     return source->dialect == DIALECT_SHADERTOY && image != NULL &&
            strstr(log, "mainImage") != NULL && !refuse_image(source, image);
 }

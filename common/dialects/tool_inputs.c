@@ -137,11 +137,48 @@ static const struct kind *kind_of(const struct shader_source *source, int channe
     return NULL;
 }
 
+// The channel whose picture a token names as the first of several arguments; -1 if there is none.
+static int channel_of(const struct glsl_token *t)
+{
+    bool may = t->kind == GLSL_WORD && !t->macro && t[-1].sign == '(' && t[1].sign == ',';
+    const struct input *input = may ? tool_inputs_find(t->text) : NULL;
+    return input != NULL && input->meaning == INPUT_CHANNEL ? input->channel : -1;
+}
+
+// True for a vec3, as in the lookup of a cube map or a volume: texture(iChannel0, vec3(...)).
+static bool is_vec3(const struct glsl *code, const struct glsl_token *t)
+{
+    static const char *const words[] = {"vec3", "reflect", "refract", "normalize", NULL};
+    if (glsl_is_any(t, words))
+        return glsl_is_sign(glsl_next(code, t + 1), ",)");
+    if (t->kind != GLSL_WORD || !glsl_is_sign(t + 1, ",)"))
+        return false;
+    const struct glsl_token *v = t - 1; // look for the declaration of a variable of type vec3
+    while (v >= code->statement &&
+           !(v->kind == GLSL_WORD && v->name == t->name && v[-1].kind == GLSL_WORD))
+        v--;
+    return v >= code->statement && glsl_is(v - 1, "vec3");
+}
+
+static bool is_read_at_vec3(const struct glsl *code, int channel)
+{
+    static const char *const lookups[] = {"texture", "textureLod", "textureCube", NULL};
+    const struct glsl_token *t = code->statement;
+    while (t->kind != GLSL_END &&
+           !(channel_of(t) == channel && glsl_is_any(t - 2, lookups) && is_vec3(code, t + 2)))
+        t++;
+    return t->kind != GLSL_END;
+}
+
 const char *tool_inputs_sampler(const struct shader_source *source, const struct input *input)
 {
     const struct shader_sampler sampler = {.name = input->name, .channel = input->channel};
     const struct kind *kind = kind_of(source, input->channel);
-    return kind == NULL || sampler_has_picture(source, &sampler) ? "sampler2D" : kind->type;
+    if (sampler_has_picture(source, &sampler))
+        return "sampler2D";
+    return kind != NULL                                     ? kind->type
+           : is_read_at_vec3(&source->code, input->channel) ? "sampler3D"
+                                                            : "sampler2D";
 }
 
 bool tool_inputs_lacks(const struct shader_source *source, const struct input *input)
@@ -164,6 +201,9 @@ char *tool_inputs_why_black(const struct shader_source *source,
     const struct kind *kind = kind_of(source, sampler->channel);
     if (kind != NULL)
         return memory_text("%s is %s, and is black here", sampler->name, kind->words);
+    if (strcmp(sampler->type, "sampler2D") != 0)
+        return memory_text("%s is read at a vec3, as a cube map or a volume, and is black here",
+                           sampler->name);
     if (GL_IS_ES)
         return memory_text("%s has no picture, and is black: this page cannot read your pictures",
                            sampler->name);
@@ -172,42 +212,6 @@ char *tool_inputs_why_black(const struct shader_source *source,
                              sampler->name, sampler->name)
                : memory_text("%s has no picture, and is black: give --channel %d=FILE.png",
                              sampler->name, sampler->channel);
-}
-
-// ---- Messages ----
-
-// The channel whose picture a token names as the first of several arguments; -1 if there is none.
-static int channel_of(const struct glsl_token *t)
-{
-    bool may = t->kind == GLSL_WORD && !t->macro && t[-1].sign == '(' && t[1].sign == ',';
-    const struct input *input = may ? tool_inputs_find(t->text) : NULL;
-    return input != NULL && input->meaning == INPUT_CHANNEL ? input->channel : -1;
-}
-
-// True for a direction, as in a cube map's lookup: texture(iChannel0, vec3(...)).
-static bool is_direction(const struct glsl *code, const struct glsl_token *t)
-{
-    static const char *const words[] = {"vec3", "reflect", "refract", "normalize", NULL};
-    if (glsl_is_any(t, words))
-        return glsl_is_sign(glsl_next(code, t + 1), ",)");
-    if (t->kind != GLSL_WORD || !glsl_is_sign(t + 1, ",)"))
-        return false;
-    const struct glsl_token *v = t - 1; // look for the declaration of a variable of type vec3
-    while (v >= code->statement &&
-           !(v->kind == GLSL_WORD && v->name == t->name && v[-1].kind == GLSL_WORD))
-        v--;
-    return v >= code->statement && glsl_is(v - 1, "vec3");
-}
-
-const struct glsl_token *tool_inputs_cube_map(const struct glsl *code)
-{
-    static const char *const lookups[] = {"texture", "textureLod", NULL};
-    const struct glsl_token *t = code->statement;
-    while (t->kind != GLSL_END &&
-           !(channel_of(t) >= 0 && (glsl_is(t - 2, "textureCube") ||
-                                    (glsl_is_any(t - 2, lookups) && is_direction(code, t + 2)))))
-        t++;
-    return t->kind != GLSL_END ? t : NULL;
 }
 
 bool tool_inputs_refuse(const struct shader_source *source, const struct input *input, int line)

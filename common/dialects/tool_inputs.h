@@ -16,14 +16,12 @@ const struct input *tool_inputs_row(int index);
 // True for an input of Shadertoy.
 bool tool_inputs_is_shadertoy(const struct input *input);
 
-// The first mention of a channel that is read as a cube map, or NULL if there is none.
-const struct glsl_token *tool_inputs_cube_map(const struct glsl *code);
-
 // True for an input that Shadertoy has with exactly the type that the source declares.
 bool tool_inputs_is_own(const struct shader_input *in);
 
-// The type of the sampler for a channel: sampler2D if a picture is given or if the file does not
-// say what the channel contains. NULL for the buffer of another pass.
+// The type of the sampler for a channel: sampler2D, unless no picture is given and the file says
+// that the channel is a cube map or a volume, or reads it at a vec3. NULL for the buffer of another
+// pass.
 const char *tool_inputs_sampler(const struct shader_source *source, const struct input *input);
 
 // True for the buffer of another pass: every picture would be wrong without it.
