@@ -21,6 +21,19 @@ static bool is_plain(const struct glsl_token *t)
     return t->kind == GLSL_WORD && !t->macro;
 }
 
+// The value of an array's size: a number, a macro for one, or a constant that is declared with one,
+// as in "const int COUNT = 3;". Returns 0 for any other size.
+static long size_of(const struct glsl *code, const struct glsl_token *t)
+{
+    if (t->kind == GLSL_WORD && t->macro)
+        return code->name[t->name].word != NULL ? strtol(code->name[t->name].word, NULL, 10) : 0;
+    const struct glsl_token *first = t->kind == GLSL_WORD ? glsl_find_next(code, NULL, t->text) : t;
+    bool constant = t->kind == GLSL_WORD && glsl_is(first - 1, "int") && first[1].sign == '=' &&
+                    glsl_is(first - 2, "const") && glsl_is_sign(first + 3, ",;");
+    first += constant ? 2 : 0;
+    return first->kind == GLSL_NUMBER ? strtol(first->text, NULL, 10) : 0;
+}
+
 // Write the zero of a type: "float(0)", or the zero of a structure, or, for an array,
 // "float[2](float(0),float(0))". Returns false if the type has none.
 //   size  the token after the name, which may be a bracket
@@ -38,8 +51,8 @@ static bool zero_of(const struct zeros *all, const struct glsl_token *type,
         strcpy(text, one);
         return true;
     }
-    bool plain = size[1].kind == GLSL_NUMBER && size[2].sign == ']' && size[3].sign != '[';
-    long count = plain ? strtol(size[1].text, NULL, 10) : 0;
+    bool plain = size[2].sign == ']' && size[3].sign != '[';
+    long count = plain ? size_of(all->code, size + 1) : 0;
     if (count < 1 || count > 255 || all->edits->size > SIZE_LIMIT ||
         count * (long)(strlen(one) + 1) + type->length > VALUE_SIZE / 2)
         return false;

@@ -142,8 +142,8 @@ static void define(struct glsl_reader *r, struct glsl_token *word, bool defines)
     struct glsl_name *name = &r->code->name[word->name];
     enum glsl_truth truth = defines ? GLSL_ALWAYS : GLSL_NEVER;
     if (defines) {
-        bool one =
-            !name->macro && word[1].kind == GLSL_WORD && glsl_code(word + 2)->kind == GLSL_END;
+        bool one = !name->macro && (word[1].kind == GLSL_WORD || word[1].kind == GLSL_NUMBER) &&
+                   glsl_code(word + 2)->kind == GLSL_END;
         name->word = one ? word[1].text : NULL;
     }
     name->macro |= defines;

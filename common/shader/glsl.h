@@ -46,10 +46,10 @@ enum glsl_truth { GLSL_NEVER, GLSL_ALWAYS, GLSL_PERHAPS };
 // A distinct word or number of the text.
 struct glsl_name {
     char *text;
-    int count;               // number of live mentions
-    int last;                // index of the last mention among the statements; -1 if there is none
-    bool macro;              // a live #define defines the name
-    const char *word;        // the single word that a macro stands for; NULL for any other name
+    int count;        // number of live mentions
+    int last;         // index of the last mention among the statements; -1 if there is none
+    bool macro;       // a live #define defines the name
+    const char *word; // the single word or number that a macro stands for; NULL for any other name
     enum glsl_truth defined; // whether the name is defined as a macro at the end of the text
 };
 

@@ -226,11 +226,16 @@ IN_PROJECT(test_unclear_declarations_stay)
         "uniform Data { vec4 v; float k; };\n",
         "struct S { float[2] a; };\nS s;\n",
         "#ifdef GL_X\nstruct S { float a; };\n#else\nstruct S { vec2 a; };\n#endif\nS s;\n",
-        "float a[300];\n#define N 2\nfloat b[N], c[2][2];\n",
+        "float a[300], c[2][2];\nuniform int count;\nconst int n = 1 + 1;\n"
+        "void f() { float b[n]; float d[count]; }\n",
+        "#define N 2\n#undef N\n#define N 3\nfloat b[N];\n",
         "#define in in b,\nin int Time;\n",
     };
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         assert_driver_gets(texts[i], texts[i]);
+    assert_driver_gets("#define N 2\nconst int n = 1;\nfloat a[N], b[n];\n",
+                       "#define N 2\nconst int n = 1;\n"
+                       "float a[N]=float[2](float(0),float(0)), b[n]=float[1](float(0));\n");
     assert_driver_gets("#define IN in\nIN int Time;\n", "#define IN in\nuniform int Time;\n");
     assert_driver_gets("struct A { vec2 p; }; struct B { A a[2]; int n, m; } b, c[2]; float d;\n",
                        "struct A { vec2 p; }; struct B { A a[2]; int n, m; } "
