@@ -3,24 +3,9 @@
 
 # Print a file with the relevant part of the text that Shadertoy puts around a shader.
 wrap() { # FILE
-    cat <<'GLSL'
-#version 300 es
-precision highp float;
-precision highp int;
-precision mediump sampler3D;
-#define HW_PERFORMANCE 1
-out vec4 outColor;
-uniform vec3 iResolution;
-uniform float iTime, iTimeDelta, iFrameRate, iChannelTime[4], iSampleRate;
-uniform vec3 iChannelResolution[4];
-uniform int iFrame;
-uniform vec4 iMouse, iDate;
-uniform sampler2D iChannel0, iChannel1, iChannel2, iChannel3;
-void mainImage(out vec4 c, in vec2 f);
-#line 1
-GLSL
+    sed '/^\/\/ ---- the shader/,$d' tests/lib/shadertoy.glsl
     cat "$1"
-    printf 'void main() { vec4 c = vec4(0.0, 0.0, 0.0, 1.0); mainImage(c, gl_FragCoord.xy); outColor = vec4(c.rgb, 1.0); }\n'
+    sed '1,/^\/\/ ---- the shader/d' tests/lib/shadertoy.glsl
 }
 
 # valid FILE: true if the validator accepts an exported file as a shader of Shadertoy, or if there is no validator.
