@@ -12,7 +12,9 @@
 # if the solution exists, wrong.txt in that folder lists the wrong pictures, as scenes for `make lecture`. For `make
 # marks`, the files are arguments, CHECK_FOLDER replaces build/check/ in messages, CHECK_WORK is where it is made, and
 # MARKS names a file that receives a line for each of them, with fields separated by tabs: exercise, file, mark, verdict,
-# its picture, the right picture ('-' if there is none). For `make student`, STORE is a folder in which the solution's
+# its picture, the right picture ('-' if there is none), and what a lecturer should look at. Each file is then drawn as if
+# it lay alone beside the course. FOLDERS names a file with the folders that belong to a single student; their answers
+# may include files in them. For `make student`, STORE is a folder in which the solution's
 # pictures and rays are stored; no file is checked. Exit status: 0 if every file is right, 1 if one is not, 2 if the
 # files cannot be checked.
 set -u
@@ -33,12 +35,15 @@ no_room() {
 
 # Run the program; OPTIONS is one word. A file that was handed in has a time limit, because it may loop forever.
 render() { # OPTIONS SHADER OPTION...
-    local options=$1 shader=$2
+    local options=$1 shader=$2 root=()
     shift 2
     (
-        [ "$shader" = "$solution" ] || ulimit -S -t "$limit"
+        if [ "$shader" != "$solution" ]; then
+            ulimit -S -t "$limit"
+            [ -z "${MARKS-}" ] || root=(--root "$scratch/course") shader=$scratch/alone/${shader##*/}
+        fi
         # shellcheck disable=SC2086 # options are words
-        "$program" $options -f "$shader" "$@"
+        "$program" $options -f "$shader" ${root[@]+"${root[@]}"} "$@"
         exit $? # keeps this shell alive, so that its message about a killed program goes where the program's messages go
     )
 }
@@ -90,10 +95,80 @@ right_rays() { # OPTIONS PLACES
 
 # Print the reason why a file gave no picture, from the exit status and the messages.
 why_not() { # STATUS
+    local why
+    why=$(grep -m 1 ':[0-9][0-9]*: ' "$scratch/errors" || head -n 1 "$scratch/errors")
     case $1 in
     152) echo "does not end: no picture after $limit s" ;; # SIGXCPU
-    *) echo "does not run: $(grep -m 1 ':[0-9][0-9]*: ' "$scratch/errors" || head -n 1 "$scratch/errors")" ;;
+    *) printf '%s\n' "does not run: ${why//"$scratch/alone/"/}" ;;
     esac
+}
+
+# ---- For `make marks`: what a file reads, and what it does when nobody looks ----
+
+# Copy a file that was handed in to $scratch/alone, with what lies in the student's folder, so that the program finds
+# nothing of others.
+put_alone() { # FILE
+    local folder other
+    folder=$(dirname "$1")
+    [ -e "$scratch/course" ] || { mkdir "$scratch/course" && cp -R chapters shaders "$scratch/course"; } || no_room
+    rm -rf "$scratch/alone" && mkdir "$scratch/alone" || exit 2
+    if grep -qxF -e "$folder" "$FOLDERS"; then
+        (cd "$folder" && find . -type f -size -65536 -print0 | tar --null -T - -cf -) 2>/dev/null | tar -C "$scratch/alone" -xf - || no_room
+        while IFS= read -r other; do
+            [[ $other != "$folder"/* ]] || rm -rf "$scratch/alone/${other#"$folder"/}"
+        done <"$FOLDERS"
+    fi
+    cp "$1" "$scratch/alone/${1##*/}" || no_room
+}
+
+# Add a sentence for the lecturer.
+flag() { # WORDS
+    printf '%s\n' "$(clean 400 "$1")" >>"$scratch/flags"
+}
+
+# If a file gave no picture because something was not found, say so if it exists where the file was handed in.
+flag_outside() { # FILE
+    local line from name folder
+    line=$(grep -m 1 -E ':[0-9]+: (#include "|sampler )' "$scratch/errors") || return
+    from=${line%%:*} name=$(sed -nE 's/^[^:]*:[0-9]+: (#include "([^"]*)"|sampler [A-Za-z0-9_]*: (.*)): (no such file beside|lies outside|an absolute path).*/\2\3/p' <<<"$line")
+    [ -n "$name" ] || return
+    from=${from#"$scratch/alone"} from=$(dirname "$1")/${from%"${from##*/}"}
+    [[ $name != /* ]] || from=
+    for folder in "$from" shaders/ shaders/textures/ chapters/; do
+        [ ! -e "$folder$name" ] || { flag "asks for $name, which is not its own" && return; }
+    done
+}
+
+# Name the pictures that a file reads and that do not belong to the course.
+flag_pictures() { # FILE
+    local name
+    render '' "$1" --list 2>/dev/null | awk -v folder="$scratch/alone/" '
+        found && (at = index($0, folder)) { name = substr($0, at + length(folder)); sub(/[.][Pp][Nn][Gg] .*/, ".png", name); print name }
+        /^texture / { found = 1 }' >"$scratch/pictures"
+    while IFS= read -r name; do flag "reads the picture $name, which was handed in with it"; done <"$scratch/pictures"
+}
+
+# Compare one more picture, of a size and at a time that are in no list. The time depends on all files that are
+# compared, so nobody knows it, but it is the same in each run. A right answer in other words may differ in some pixels
+# more than in the pictures that were chosen for the check; half a percent of them is ten times what the check allows.
+flag_other_picture() { # FILE
+    local said share
+    [ -e "$solution" ] || return
+    right_picture other "$other"
+    if ! render "$other" "$1" -o "$scratch/mine.png" >/dev/null 2>"$scratch/errors"; then
+        flag "draws what the check compares, but not $(shown_of "$other"): $(why_not $?)"
+        return
+    fi
+    said=$(build/tests/judge picture "$(shown_of "$other")" "$scratch/other.png" "$scratch/mine.png" "$scratch/difference.png")
+    { read -r _; read -r share; read -r said; } <<<"$said"
+    ! awk -v share="${share:-0}" 'BEGIN { exit share < 0.005 }' || flag "draws what the check compares, but $said"
+}
+other_picture() { # FILE...
+    local file sum width height
+    sum=$(for file; do [ ! -f "$file" ] || head -c 65536 "$file"; done 2>/dev/null | cksum)
+    sum=${sum%% *}
+    read -r width height <<<"$(head -n 1 <<<"$wanted" | sed -E 's/.*--size +([0-9]+)x([0-9]+).*/\1 \2/')"
+    head -n 1 <<<"$wanted" | sed -E "s/ --time +[^ ]+//; s/--size +[^ ]+/--size $((width + 16))x$((height + 9)) --time $((1 + sum % 20)).$((10 + sum / 20 % 90))/"
 }
 
 # Keep the last two pictures that are compared for a file, for the page of `make marks`.
@@ -165,6 +240,7 @@ judge() { # FILE
     [ -r "$file" ] || { echo 'cannot be read'; return 1; }
     mkdir -p "$(dirname "$work/$difference")" 2>/dev/null || { echo 'its path is too long, or the disk is full'; return 1; }
     [[ $solution != *.diff ]] || { judge_program "$file" "$difference"; return; }
+    [ -z "${MARKS-}" ] || put_alone "$file"
     while read -r options; do
         number=$((number + 1))
         shown=$(shown_of "$options")
@@ -173,10 +249,14 @@ judge() { # FILE
         status=$?
         [ "$status" = 0 ] || {
             ! grep -qF "$mine: cannot be written: " "$scratch/errors" || no_room
+            [ -z "${MARKS-}" ] || flag_outside "$file"
             why_not "$status"
             return 1
         }
-        [ -z "${MARKS-}" ] || keep_pictures "$number"
+        if [ -n "${MARKS-}" ]; then
+            keep_pictures "$number"
+            [ "$number" != 1 ] || flag_pictures "$file"
+        fi
         said=$(build/tests/judge picture "$shown" "$scratch/$number.png" "$mine" "$work/$difference")
         status=$?
         [ "$status" -le 1 ] || exit 2 # judge has reported the error
@@ -200,6 +280,7 @@ judge() { # FILE
             return 1
         }
     done <<<"$wanted"
+    [ -z "${MARKS-}" ] || flag_other_picture "$file"
     build/tests/judge right "${shares[@]}"
 }
 
@@ -265,6 +346,7 @@ if [ -n "${STORE-}" ]; then
     exit
 fi
 
+other=$(other_picture "${files[@]}")
 mkdir -p "$work" || exit 2
 wrong=0 width=0 checked=0 names=()
 for file in "${files[@]}"; do
@@ -277,10 +359,11 @@ for file in "${files[@]}"; do
     mark=right
     need_room
     printf -- '-\t-\n' >"$scratch/kept"
+    : >"$scratch/flags"
     verdict=$(judge "$file") || { [ $? = 2 ] && exit 2; need_room; mark=wrong wrong=$((wrong + 1)); }
     first=$(clean 1600 "${verdict%%$'\n'*}")
     if [ -n "${MARKS-}" ]; then
-        printf '%s\t%s\t%s\t%s\t%s\n' "$EXERCISE" "$file" "$mark" "$first" "$(cat "$scratch/kept")" >>"$MARKS" || exit 2
+        printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$EXERCISE" "$file" "$mark" "$first" "$(cat "$scratch/kept")" "$(paste -s -d '|' "$scratch/flags" | sed 's/|/ | /g')" >>"$MARKS" || exit 2
     elif [ -n "${FILES-}" ]; then
         printf '%-5s  %-*s  %s\n' "$mark" "$width" "${names[checked]}" "$first"
     else

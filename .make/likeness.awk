@@ -1,7 +1,7 @@
 # likeness.awk - find the answers of a class that have almost the same text, whatever their names. Each text of the input
-# begins with \001 and a line of three fields, which are separated by tabs: what it is ("course", "solution" or
-# "answer"), its exercise and its student. For each answer, prints a line with whose text is the same: "the published
-# solution" and the other students, or nothing.
+# begins with \001 and a line of three fields, which are separated by tabs: what it is ("course", "chapter", "solution" or
+# "answer"), its exercise and its student. For each answer, prints a line of two fields: whose text is the same ("the
+# published solution" and the other students, or nothing), and "the chapter, unchanged" if that is all that it is.
 #
 # An answer that includes a published solution is the same as that, whatever else it contains.
 #
@@ -65,10 +65,10 @@ function find_declared(    i, t, before, list, depth)
     }
 }
 
-# The window that begins at a token.
-function window_at(first,    i, t, names, number, text)
+# Some tokens as one text.
+function window(first, size,    i, t, names, number, text)
 {
-    for (i = first; i < first + SIZE; i++) {
+    for (i = first; i < first + size; i++) {
         t = token[i]
         if (t in declared && token[i - 1] != ".") {
             if (!(t in number))
@@ -87,25 +87,34 @@ NR == 1 { next } # before the first \001
     text = substr($0, end + 1)
     gsub(/\/\*([^*]|\*+[^*\/])*\*+\/|\/\/[^\n]*/, " ", text)
     gsub(/\\\r?\n/, "", text)
+    if (field[1] == "answer") {
+        includes[answers + 1] = text ~ /(^|\n)[ \t]*#[ \t]*include[ \t]*"[^"\n]*solutions\//
+        extends[answers + 1] = text ~ /(^|\n)[ \t]*#[ \t]*include[ \t]*"([^"\n]*\/)?[0-9][0-9]_[a-z][^"\n\/]*[.]frag"/
+    }
+    gsub(/(^|\n)[ \t]*#[ \t]*include[ \t]*"[^\n]*/, "\n", text)
     token[0] = ""
     scan(text)
     token[tokens + 1] = ""
     find_declared()
+    if (field[1] == "chapter") {
+        chapter[field[2]] = window(1, tokens)
+        next
+    }
     for (i = 1; i + SIZE <= tokens + 1; i++) {
-        window = window_at(i)
+        part = window(i, SIZE)
         if (field[1] == "course")
-            course[window]
-        else if (!(window in course)) {
+            course[part]
+        else if (!(part in course)) {
             if (field[1] == "solution")
                 key = "solution" SUBSEP field[2]
             else
                 key = answers + 1
-            if (!((key, window) in has)) {
-                has[key, window]
-                own[key, ++count[key]] = window
-                if (field[1] == "answer" && !((field[2], field[3], window) in counted)) {
-                    counted[field[2], field[3], window]
-                    sharing[field[2], window]++
+            if (!((key, part) in has)) {
+                has[key, part]
+                own[key, ++count[key]] = part
+                if (field[1] == "answer" && !((field[2], field[3], part) in counted)) {
+                    counted[field[2], field[3], part]
+                    sharing[field[2], part]++
                 }
             }
         }
@@ -114,7 +123,7 @@ NR == 1 { next } # before the first \001
         answers++
         exercise[answers] = field[2]
         student[answers] = field[3]
-        includes[answers] = text ~ /(^|\n)[ \t]*#[ \t]*include[ \t]*"[^"\n]*solutions\//
+        whole[answers] = window(1, tokens)
         if (!((field[2], field[3]) in counted)) {
             counted[field[2], field[3]]
             class[field[2]]++
@@ -138,8 +147,7 @@ function same(a, b, of_a, of_b,    i, spare)
 END {
     for (a = 1; a <= answers; a++) {
         solution = "solution" SUBSEP exercise[a]
-        if (includes[a] || same(a, solution, count[a], count[solution]))
-            like[a] = "the published solution"
+        published[a] = includes[a] || same(a, solution, count[a], count[solution])
     }
     # The windows that many students have are left out.
     for (a = 1; a <= answers; a++) {
@@ -153,11 +161,12 @@ END {
     }
     for (a = 1; a <= answers; a++) {
         split("", named)
+        like = published[a] ? "the published solution" : ""
         for (b = 1; b <= answers; b++)
-            if (exercise[a] == exercise[b] && student[a] != student[b] && !(student[b] in named) && same(a, b, count[a], count[b])) {
+            if (exercise[a] == exercise[b] && student[a] != student[b] && !(student[b] in named) && !(published[a] && published[b]) && same(a, b, count[a], count[b])) {
                 named[student[b]]
-                like[a] = like[a] (like[a] == "" ? "" : ", ") student[b]
+                like = like (like == "" ? "" : ", ") student[b]
             }
-        print like[a]
+        print like "\t" (whole[a] != "" && whole[a] == chapter[exercise[a]] || whole[a] == "" && extends[a] && !includes[a] ? "the chapter, unchanged" : "")
     }
 }

@@ -1,8 +1,9 @@
 #!/bin/bash
 # marks.sh - `make marks FILES='hand-in/*/*.frag' EXERCISES='03_1 03_2' CSV=marks.csv`: mark a class. check.sh judges
 # each file, and likeness.awk finds those with almost the same text as the published solution or as another student's;
-# the mark does not depend on this. The table has a row for each student; build/marks/index.html shows each picture beside
-# the right one, and build/marks/wrong.txt lists the wrong pictures as scenes for `make lecture`.
+# the mark does not depend on this. Each file is read as if it lay alone beside the course. The table has a row for each
+# student; build/marks/index.html shows each picture beside the right one, and build/marks/wrong.txt lists the wrong
+# pictures as scenes for `make lecture`.
 #
 # Each folder belongs to one student, and is named after the student. If all files are in one folder, the part of a
 # file's name before the exercise names the student. With several exercises, the name of each file contains its
@@ -28,11 +29,17 @@ exercise_of() { # FILE
     done
 }
 
-# Print the name of the student: the file's folder or, if all files are in one folder, the part of the file's name
-# before the exercise.
+# True if the folder of a file contains the files of several students.
+is_shared() { # FILE
+    local name=${1#./}
+    [ "$folders" = 1 ] || [ "${name%"${name##*/}"}" = "$common" ]
+}
+
+# Print the name of the student: the file's folder or, if that contains the files of several students, the part of the
+# file's name before the exercise.
 student_of() { # FILE
     local name=${1%/*}
-    if [ "$folders" = 1 ]; then
+    if is_shared "$1"; then
         name=$(sed -E 's/[-_ .]*[0-9][0-9][-_][0-9]+.*//; s/[.]frag$//' <<<"${1##*/}")
         [ -n "$name" ] || name=${1%/*} name=${name##*/}
     fi
@@ -87,6 +94,9 @@ common=
 begin build || exit 2
 mkdir -p "$new/marks" || exit 2
 : >"$new/judged"
+for file in "${files[@]}"; do
+    is_shared "$file" || dirname "$file"
+done | sort -u >"$new/folders" || exit 2
 for exercise in "${exercises[@]}"; do
     answers=()
     for file in "${files[@]}"; do
@@ -97,7 +107,7 @@ for exercise in "${exercises[@]}"; do
     # latest. A process in the background would ignore Ctrl+C.
     (
         trap - INT
-        FILE='' FILES='' EXERCISE=$exercise CHECK_FOLDER=$folder/pictures CHECK_WORK=$new/marks/pictures MARKS=$new/judged \
+        FILE='' FILES='' EXERCISE=$exercise CHECK_FOLDER=$folder/pictures CHECK_WORK=$new/marks/pictures MARKS=$new/judged FOLDERS=$new/folders \
             exec .make/check.sh "${answers[@]}"
     ) &
     child=$!
@@ -108,28 +118,40 @@ for file in ${unnamed[@]+"${unnamed[@]}"}; do
     report "$file: its name contains none of ${exercises[*]}, so the file is not marked"
 done
 
-# Print a text for likeness.awk. Only the first 64 KiB of a file are read.
+# Print a text for likeness.awk. Only the first 64 KiB of a file are read. The text of an answer contains the files in the
+# student's folder that it includes.
 text() { # WHAT EXERCISE STUDENT FILE
+    local parts=("$4") i name
     printf '\001%s\t%s\t%s\n' "$1" "$2" "$3"
-    [ ! -f "$4" ] || head -c 65536 "$4" 2>/dev/null | tr -d '\001'
+    for ((i = 0; i < ${#parts[@]} && i < 32; i++)); do
+        [ -f "${parts[i]}" ] || continue
+        head -c 65536 "${parts[i]}" 2>/dev/null | tr -d '\000\001' >"$new/part"
+        cat "$new/part" && echo
+        if [ "$1" != answer ] || is_shared "$4"; then continue; fi
+        while IFS= read -r name; do
+            name=${parts[i]%/*}/$name
+            [[ $name == */../* ]] || grep -qxF -e "$name" <<<"$(printf '%s\n' "${parts[@]}")" || parts+=("$name")
+        done < <(sed -nE 's/^[[:blank:]]*#[[:blank:]]*include[[:blank:]]*"([^"]+)".*/\1/p' "$new/part")
+    done
 }
 
 # Write the same lines with the student instead of the file.
 number=0
-while IFS=$'\t' read -r exercise file mark verdict picture right; do
+while IFS=$'\t' read -r exercise file mark verdict picture right flags; do
     if [ "$picture" != - ]; then
         number=$((number + 1))
         mv "$picture" "$new/marks/$number.png" && mv "$right" "$new/marks/$number.right.png" || exit 2
         picture=$number
     fi
     student=$(student_of "$file")
-    printf '%s\t%s\t%s\t%s\t%s\n' "$exercise" "$student" "$mark" "$verdict" "$picture" >>"$new/named"
+    printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$exercise" "$student" "$mark" "$verdict" "$picture" "$flags" >>"$new/named"
     text answer "$exercise" "$student" "$file" >>"$new/texts"
 done <"$new/judged" || exit 2
 {
     awk 'FNR == 1 { print "\001course" } { print }' \
         chapters/[0-9]*.frag chapters/*.glsl chapters/{experiments,figures,first_steps}/*.frag shaders/*.glsl /dev/null
     for exercise in "${exercises[@]}"; do
+        text chapter "$exercise" '' "$(echo chapters/"${exercise%_*}"_*.frag)"
         text solution "$exercise" '' "$(echo chapters/solutions/"${exercise%_*}"_*_"${exercise#*_}".frag)"
     done
     cat "$new/texts"

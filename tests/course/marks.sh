@@ -29,17 +29,17 @@ hand_in odd $'00_2\n.frag' <$right
 marks() { FILES=$1 EXERCISES=$2 CSV=${3-$scratch/marks.csv} .make/marks.sh >"$scratch/said" 2>&1; }
 row() { grep -q -e "$1" "$scratch/marks.csv" || { sed 's/^/# /' "$scratch/marks.csv"; return 1; }; }
 check 'a class is marked' marks "$class/*/*.frag" '00_2 00_3'
-check 'a row has a mark, whose text is the same and a remark for each exercise' row "^\"Zoë \"\"O'Neil\"\"\",right,\"\",\"matches the solution.*\",right,\"\",\"matches the solution.*\"$"
-check 'a wrong solution is marked, and a folder name that a spreadsheet would read as a formula is escaped' row "^\"'=cmd()\",wrong,\"\",\".* differ .*\",missing,\"\",\"\"$"
-check 'a file that includes the published solution is the same as that' row '^"include",wrong,"the published solution","does not run: .*#version in an included file'
-check 'the same text from two students is recognised, whatever its names, blanks and comments' row '^"twin",wrong,"the other twin","does not run: '
-check 'a few words are nobody'"'"'s' row '^"idle",wrong,"",".* differ .*",wrong,"","does not run'
-check 'two files of one student are not compared' row '^"again",wrong wrong,"","does not run'
-check 'a pipe is refused without waiting for it' row '^"pipe",wrong,"","not a regular file"'
+check 'a row has a mark, whose text is the same and a remark for each exercise' row "^\"Zoë \"\"O'Neil\"\"\",right,\"\",\"\",\"matches the solution.*\",right,\"\",\"\",\"matches the solution.*\"$"
+check 'a wrong solution is marked, and a folder name that a spreadsheet would read as a formula is escaped' row "^\"'=cmd()\",wrong,\"\",\"the chapter, unchanged\",\".* differ .*\",missing,\"\",\"\",\"\"$"
+check 'a file that includes the published solution is the same as that' row '^"include",wrong,"the published solution","","does not run: .*#version in an included file'
+check 'the same text from two students is recognised, whatever its names, blanks and comments' row '^"twin",wrong,"the other twin","","does not run: '
+check 'a few words are nobody'"'"'s' row '^"idle",wrong,"","the chapter, unchanged",".* differ .*",wrong,"","","does not run'
+check 'two files of one student are not compared' row '^"again",wrong wrong,"","","does not run'
+check 'a pipe is refused without waiting for it' row '^"pipe",wrong,"","","not a regular file"'
 check 'a file whose name contains a line break is reported, and the others are marked' grep -q 'odd/00_2.*the name has a tab or a line break' "$scratch/said"
 check 'the table has no other rows' [ "$(wc -l <"$scratch/marks.csv")" = 10 ]
 check 'a file whose name contains no exercise is reported' grep -q 'nameless/ball.frag: its name contains none of 00_2 00_3, so the file is not marked' "$scratch/said"
-check 'the marks are counted' grep -q '^9 students; answers: 3 right, 10 wrong; 3 almost the same as another$' "$scratch/said"
+check 'the marks are counted' grep -q '^9 students; answers: 3 right, 10 wrong; 3 almost the same as another, 2 to look at$' "$scratch/said"
 pictures() {
     grep -q '<td>00_3<td>right' build/marks/index.html &&
         grep -o 'src="[^"]*' build/marks/index.html >"$scratch/pictures" &&
@@ -82,9 +82,9 @@ course='' solution='a solution'
 like() {
     local text student=({a..z}) number=0
     {
-        printf '\001course\n%s\001solution\t00_2\t\n%s' "$course" "$solution"
+        printf '\001course\n%s\001chapter\t00_2\t\nint mine; #define mine\n\001solution\t00_2\t\n%s' "$course" "$solution"
         for text; do printf '\001answer\t00_2\t%s\n%s' "${student[number]}" "$text" && number=$((number + 1)); done
-    } | awk -f .make/likeness.awk | paste -s -d '|' -
+    } | awk -f .make/likeness.awk | cut -f "${column:-1}" | paste -s -d '|' -
 }
 are() { # WANTED TEXT...
     local found
@@ -107,15 +107,45 @@ given=$mine$'\n'
 own=$(sed 's/sin/tan/g; s/max/pow/g; s/min/mod/g; s/abs/sqrt/g; s/[+]/-/g; s/5/7/g' <<<"$mine")
 check 'then only the rest is compared' are '||||f|e|' "$given int a;" "$given int b = 2;" "$given" "$given int c = 4;" "$given $own" "$theirs${own//inside/g}" 'int x;'
 solution=$theirs check 'a text that is the published solution is found' are 'the published solution|' "$mine" 'int x;'
-solution=$theirs check 'even if half of the class hands it in' are 'the published solution, b|the published solution, a||' "$mine" "$mine" 'int x;' 'int y;'
+solution=$theirs check 'even if half of the class hands it in' are 'the published solution|the published solution||' "$mine" "$mine" 'int x;' 'int y;'
 check 'a published solution that is included is found' are 'the published solution' $'int x;\n # include "../solutions/00.frag" // mine'
 check 'in a comment it is not' are '' $'int x;\n// #include "../solutions/00.frag"'
-check 'answers to other exercises are not compared' eval "[ \"\$({ printf '\\001answer\\t00_1\\ta\\n%s' \"\$mine\"; printf '\\001answer\\t00_2\\tb\\n%s' \"\$mine\"; } | awk -f .make/likeness.awk | tr -d '\\n')\" = '' ]"
+column=2 check 'an answer that is the chapter, with other names, is recognised' are 'the chapter, unchanged||the chapter, unchanged' $'int  b; #define b\n' 'int b;' $'#include "../00_first.frag" // mine'
+column=2 check 'an answer without any text is not the chapter' are '||' '' '// mine' '#include "00_2.frag"'
+check 'answers to other exercises are not compared' eval "[ \"\$({ printf '\\001answer\\t00_1\\ta\\n%s' \"\$mine\"; printf '\\001answer\\t00_2\\tb\\n%s' \"\$mine\"; } | awk -f .make/likeness.awk | tr -d '\\t\\n')\" = '' ]"
 hostile() { # one line of 64 KiB, a comment that is never closed, bytes that are no text
     local long
     long=$(head -c 65536 /dev/zero | tr '\0' '/') && are '||' "${long//\//1+}" "/*$long" "$(head -c 60000 build/00_first_scene | tr -d '\0\001')"
 }
 check 'long lines, open comments and texts that are none are read in a moment' hostile
+
+# ---- What an answer reads, and what it does when nobody looks ----
+
+outer=$class class=$scratch/alone
+hand_in ada 00_2.frag <$right
+echo '#include "../ada/00_2.frag"' | hand_in ben 00_2.frag
+echo '#include "part.glsl"' | hand_in cleo 00_2.frag
+ln -s ../ada/00_2.frag "$class/cleo/part.glsl"
+printf '#version 330 core\n#include "parts/part.glsl"\n' | hand_in dan 00_2.frag
+mkdir "$class/dan/parts" && sed 1d $right >"$class/dan/parts/part.glsl"
+{ cat chapters/solutions/01_normal_colouring_6.frag; echo 'uniform sampler2D picture; // "my own.png" sRGB clamp: a picture'; } | hand_in eve 01_6.frag
+cp tests/references/00_first_scene.png "$class/eve/my own.png"
+sed 's/0.5 \* Time/0.5 * (Time == 1.0 || Time == 4.0 ? Time : 0.0)/' $right | hand_in finn 00_2.frag
+echo '#include "ada/00_2.frag"' | hand_in . gil_00_2.frag
+echo '#include "inner/00_2.frag"' | hand_in hal 00_2.frag
+hand_in hal/inner 00_2.frag <$right
+check 'a class that includes each other is marked' marks "$class/*/*.frag $class/*.frag $class/*/*/*.frag" '00_2 01_6'
+check 'an answer does not see the files of another student' row '^"ben",wrong,"","asks for ../ada/00_2.frag, which is not its own","does not run: 00_2.frag:1: '
+check 'not even through a link' row '^"cleo",wrong,"","asks for part.glsl, which is not its own",'
+check 'nor in a folder that several share' row '^"gil",wrong,"","asks for ada/00_2.frag, which is not its own",'
+check 'nor below its own folder' row '^"hal",wrong,"","asks for inner/00_2.frag, which is not its own",'
+check 'it sees the files of its student' row '^"dan",right,"","",'
+check 'a picture that was handed in is named' row '^"eve",missing,"","","",right,"","reads the picture my own.png, which was handed in with it",'
+check 'so is an answer that is right only at the times of the check' row '^"finn",right,"","draws what the check compares, but with --size 656x369 --time [0-9.]*, .* differ .*","matches'
+check 'all others have nothing to look at' row '^"ada",right,"","","matches'
+alone() { cp "$class/gil_00_2.frag" "$scratch/alone.frag" && rm -r "$class" && hand_in . ada_00_2.frag <$right && sed 's/ada./ada_/' "$scratch/alone.frag" | hand_in . gil_00_2.frag && marks "$class/*.frag" 00_2 && row '^"gil",wrong,"","asks for ada_00_2.frag, which is not its own",'; }
+check 'in a single folder, an answer sees only itself' alone
+class=$outer
 
 # ---- Requests that are refused ----
 
@@ -183,7 +213,7 @@ cat >"$scratch/expected" <<'END'
 END
 printf '"%s"\n' "$(printf 'x%.0s' {1..255})" >>"$scratch/expected"
 echo "\"'＝3\"" >>"$scratch/expected"
-named() { marks "$class/*/00_2.frag" 00_2 && sed '1d; s/,wrong,"","does not run.*//' "$scratch/marks.csv" | diff "$scratch/expected" -; }
+named() { marks "$class/*/00_2.frag" 00_2 && sed '1d; s/,wrong,"","","does not run.*//' "$scratch/marks.csv" | diff "$scratch/expected" -; }
 check 'every student has a row, whatever the name' named
 clean() { # true if the files contain no control characters, and only UTF-8
     ! grep -n '[[:cntrl:]]' "$@" && iconv -f UTF-8 -t UTF-8 "$@" >/dev/null
