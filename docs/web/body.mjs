@@ -4,6 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import {coloured, escaped, plain, sizeOf} from './colour.mjs';
 import {commandOf, isCommand, isFigure, piecesOf, pictureOf as commandOfPicture} from './commands.mjs';
+import {nameOf, smallOf} from './pictures.mjs';
 import {parametersIn, sheetOf, valuesIn} from './sheets.mjs';
 
 export const read = (file) => fs.readFileSync(file, 'utf8');
@@ -185,7 +186,7 @@ const inline = (html) => html.replace(/(?<!<pre>)<code>([^<]*)<\/code>/g, (whole
 // Add a picture to `pictures`, and return the attributes of its <img>. The source is relative to docs/.
 function pictureOf(source, pictures) {
     const file = path.join('docs', source);
-    const name = path.basename(file);
+    const name = nameOf(file);
     pictures.set(name, file);
     const [width, height] = sizeOf(file);
     return `src="pictures/${name}" width="${width}" height="${height}"${width >= 600 ? ' class="wide"' : ''}`;
@@ -204,8 +205,8 @@ const images = (html, pictures) => html.replace(/<img src="(?!pictures\/)([^"]*)
 // The first picture of a chapter becomes the poster of its program, which is not running yet. The page waits for this
 // picture, so the gallery's smaller file is used.
 const live = (html, stem, pictures) => html.replace(/<figure>\s*<img src="([^"]*)"([^>]*?) ?\/?>.*?<\/figure>/s, (_, source, more) => {
-    const small = new Map(), poster = pictureOf(source, small).replace('-smooth.png"', '.webp" fetchpriority="high"');
-    pictures.set(poster.split(/[/"]/)[2], ...small.values());
+    const whole = pictureOf(source, new Map()), small = smallOf(source), poster = whole.replace(/pictures\/[^"]*"/, `pictures/${small}" fetchpriority="high"`);
+    pictures.set(small, path.join('docs', source));
     return `<live-chapter stem="${stem}"><img ${poster}${more} decoding="async"></live-chapter>`;
 });
 

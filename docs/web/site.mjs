@@ -13,6 +13,7 @@ import {bodyOf, read, sectionsOf} from './body.mjs';
 import {escaped, plain} from './colour.mjs';
 import {writeFigures} from './figures.mjs';
 import {subset} from './fonts.mjs';
+import {smallOf, writePictures} from './pictures.mjs';
 import {questionsOf} from './questions.mjs';
 import {needsParts, scriptOf, textureOf, texturesIn} from './sheets.mjs';
 import {Sources, root} from './sources.mjs';
@@ -185,7 +186,7 @@ const rows = () => [...read('README.md').matchAll(/^\| !\[([^\]]*)\]\(([^)]*)\) 
 
 function gallery() {
     const card = ({alt, picture, title, stem, can}) => {
-        const name = path.basename(picture).replace('-smooth.png', '.webp');
+        const name = smallOf(picture);
         pictures.set(name, picture);
         return `<li><a href="${stem}.html"><img src="pictures/${name}" alt="${escaped(alt)}" width="640" height="360" loading="lazy" decoding="async">`
             + `<strong>${numbered(title)}</strong></a><p>${escaped(can[0].toUpperCase() + can.slice(1))}.</p></li>`;
@@ -209,10 +210,10 @@ const STARTERS = [
         ['City', '07_repetition'], ['Sunset', '09_sky_and_sunset'], ['Landscape', '21_a_landscape']].map(([title, stem]) => [title, stem, `${stem}-smooth`]),
 ];
 
-function starter([title, file, picture]) {
-    const name = picture.replace(/(-smooth)?$/, '.webp');
-    pictures.set(name, `tests/references/${picture}.png`);
-    return `<button type="button" class="starter" id="new=${title.toLowerCase()}" data-file="chapters/${file}.frag" data-stem="${file.includes('/') ? '01_normal_colouring' : file}"><img src="pictures/${name}" alt="" width="160" height="90" loading="lazy">${title}</button>`;
+function starter([title, shader, picture]) {
+    const file = `tests/references/${picture}.png`, name = smallOf(file);
+    pictures.set(name, file);
+    return `<button type="button" class="starter" id="new=${title.toLowerCase()}" data-file="chapters/${shader}.frag" data-stem="${shader.includes('/') ? '01_normal_colouring' : shader}"><img src="pictures/${name}" alt="" width="160" height="90" loading="lazy">${title}</button>`;
 }
 
 const drop = (poster) => `<div class="drop"><div class="starters" role="group" aria-label="Begin with"><button type="button" class="starter" id="new=blank">Blank sheet</button>${STARTERS.map(starter).join('')}</div><ul class="drafts" aria-label="Your drafts" hidden></ul>`
@@ -223,8 +224,8 @@ const drop = (poster) => `<div class="drop"><div class="starters" role="group" a
 
 // The landscape over a day, as a still picture that a film replaces once the page has been loaded.
 function film() {
-    const [width, height] = [640, 360], name = '21_a_landscape.webp';
-    pictures.set(name, 'tests/references/21_a_landscape-smooth.png').set('day.webp', `${HERE}day.webp`);
+    const [width, height] = [640, 360], file = 'tests/references/21_a_landscape-smooth.png', name = smallOf(file);
+    pictures.set(name, file).set('day.webp', `${HERE}day.webp`);
     return `<live-chapter class="in-place" stem="21_a_landscape"><img src="pictures/${name}" class="wide" data-film="pictures/day.webp" alt="A lake between mountains, as the hours of a day pass" width="${width}" height="${height}" fetchpriority="high"></live-chapter>`;
 }
 
@@ -289,14 +290,9 @@ fs.writeFileSync(`${out}/search.js`, `searchIndex(${JSON.stringify(index)});\n`)
 await writeFonts(letters(pages));
 
 fs.mkdirSync(`${out}/pictures`, {recursive: true});
-const small = [], figures = [];
-for (const [name, file] of [...pictures].sort()) {
-    if (name.endsWith('.svg')) figures.push({name, file});
-    else if (name.endsWith('.webp') && !file.endsWith('.webp')) small.push(run('cwebp', ['-quiet', '-q', '82', '-m', '6', file, '-o', `${out}/pictures/${name}`]));
-    else fs.copyFileSync(file, `${out}/pictures/${name}`);
-}
-await Promise.all(small);
-await writeFigures(figures, `${out}/pictures`, `${out}.parts`);
+const all = [...pictures].sort(), isDiagram = ([name]) => name.endsWith('.svg');
+await writePictures(all.filter((one) => !isDiagram(one)), `${out}/pictures`);
+await writeFigures(all.filter(isDiagram).map(([name, file]) => ({name, file})), `${out}/pictures`, `${out}.parts`);
 
 const commands = pages.map(({body}) => [/class="run"/g, /class="reason"/g, /class="check"/g].map((each) => (body.match(each) ?? []).length))
     .reduce((sum, each) => sum.map((count, i) => count + each[i]));

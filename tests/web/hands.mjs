@@ -266,7 +266,7 @@ const hold = () => {
     window.passes = () => { for (const act of held.splice(0)) act(); return document.querySelector('img[data-film]').src.split('/').at(-1); };
 };
 ({page, said} = await open('index.html', DESK, hold));
-check('the front page starts with a still picture in a small file', await page.evaluate(() => document.querySelector('img[data-film]').currentSrc.endsWith('21_a_landscape.webp')));
+check('the front page starts with a still picture in a small file', await page.evaluate(() => document.querySelector('img[data-film]').currentSrc.endsWith('21_a_landscape-small.webp')));
 await page.evaluate(() => window.passes());
 await page.waitForFunction(() => document.querySelector('img[data-film]').currentSrc.endsWith('day.webp'));
 check('the front page replaces the still picture with a film of a day', true);
@@ -279,7 +279,7 @@ check('the button that selects a file has the font of the page', await page.eval
 check('the console reports no error', said.length === 0, said);
 await page.close();
 ({page} = await open('index.html', {...DESK, reducedMotion: 'reduce'}, hold));
-check('a reader who prefers reduced motion gets a still picture', await page.evaluate(() => window.passes()) === '21_a_landscape.webp');
+check('a reader who prefers reduced motion gets a still picture', await page.evaluate(() => window.passes()) === '21_a_landscape-small.webp');
 await page.evaluate(() => { localStorage.last = JSON.stringify({page: '03_shadows.html', title: 'Shadows', id: 'the-lamp', words: 'The lamp'}); });
 await page.reload();
 await page.locator('.resume').getByRole('button', {name: 'Close'}).press('Enter');

@@ -143,6 +143,8 @@ const fonts = [...files].filter((name) => name.endsWith('.woff2')).reduce((sum, 
 const kilo = (bytes) => (bytes / 1000).toFixed(0);
 console.log(`# the heaviest pages, with scripts and styles, compressed: ${weights.slice(0, 3).map((one) => `${one.name} ${kilo(one.sent)} KB`).join(', ')}; the fonts add ${kilo(fonts)} KB, once`);
 const texts = [...weights].sort((a, b) => b.raw - a.raw);
+const zip = fs.existsSync(`${SITE}.zip`) ? fs.statSync(`${SITE}.zip`).size : 0;
+check('the archive of the site has at most 25 MB', zip <= 25e6, zip);
 console.log(`# the largest pages without scripts and styles, uncompressed: ${texts.slice(0, 3).map((one) => `${one.name} ${kilo(one.raw)} KB`).join(', ')}`);
 check('no page has more than 150 KB of HTML, uncompressed', texts[0].raw <= 150e3, texts[0]);
 check('no page has more than 150 KB with its scripts and styles, compressed', weights[0].sent <= 150e3, weights[0]);
