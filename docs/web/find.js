@@ -1,4 +1,4 @@
-// find.js - searches all pages. Like its index, this script is loaded when the search field is first used. It is a
+// find.js - searches all pages. Like the index of headings, this script is loaded when the search field is first used. It is a
 // classic script, because browsers run no modules from file://.
 (() => {
     const field = document.querySelector('.search input'), list = document.querySelector('.results'), found = document.querySelector('.found');
@@ -7,17 +7,26 @@
     const MEANT = {sdf: 'signed distance', sdfs: 'signed distance', ao: 'occlusion', dof: 'depth of field', aa: 'antialiasing', fov: 'field of view', raymarching: 'ray marching', color: 'colour'};
     const folded = (text) => text.normalize('NFD').replace(/\p{M}/gu, '').toLowerCase();
     const wordsOf = (text) => folded(text).split(/[^\p{L}\p{N}_]+/u).filter((word) => word.length > 1);
-    let entries = null, vocabulary = null;
+    let entries = null, vocabulary = null, asked = false, complete = false;
 
     window.searchIndex = (pages) => {
-        entries = pages.flatMap(([address, title, sections]) => sections.map(([id, heading, text], i) =>
-            ({address: `${up}${address}#${id}`, title, heading, text, first: i === 0, low: folded(text), head: folded(heading), page: folded(title)})));
+        entries = pages.flatMap(([address, title, sections]) => sections.map(([id, heading], i) =>
+            ({address: `${up}${address}#${id}`, title, heading, text: '', first: i === 0, low: '', head: folded(heading), page: folded(title)})));
         search();
     };
-    const script = document.createElement('script');
-    script.src = field.dataset.index;
-    script.onerror = () => { found.textContent = 'The search index could not be loaded.'; };
-    document.head.append(script);
+    // The texts are loaded after the first letter is typed; until they arrive, only headings are searched.
+    window.searchText = (texts) => {
+        entries.forEach((entry, i) => Object.assign(entry, {text: texts[i], low: folded(texts[i])}));
+        complete = true;
+        search();
+    };
+    function load(name) {
+        const script = document.createElement('script');
+        script.src = field.dataset.index.replace('search.js', name);
+        script.onerror = () => { found.textContent = 'The search index could not be loaded.'; };
+        document.head.append(script);
+    }
+    load('search.js');
 
     // ---- Words ----
 
@@ -39,7 +48,7 @@
 
     // Replace a word that occurs nowhere with the most common of the similar words in the pages.
     function mended(word) {
-        if (word.length < 4 || entries.some((entry) => entry.low.includes(word) || entry.head.includes(word))) return word;
+        if (!complete || word.length < 4 || entries.some((entry) => entry.low.includes(word) || entry.head.includes(word))) return word;
         if (!vocabulary) {
             vocabulary = new Map();
             for (const entry of entries) for (const one of wordsOf(`${entry.heading} ${entry.text}`)) vocabulary.set(one, (vocabulary.get(one) ?? 0) + 1);
@@ -103,11 +112,13 @@
     function search() {
         const typed = wordsOf(field.value), words = [...new Set(typed.flatMap((word) => (MEANT[word] ?? word).split(' ')))];
         if (!entries || words.length === 0) { list.hidden = true; found.textContent = ''; return; }
+        if (!asked) load('search_text.js');
+        asked = true;
         const weighed = words.map(mended).map((word) => ({word, rare: rarity(word)})).sort((a, b) => b.rare - a.rare), meant = weighed.map(({word}) => word);
         const hits = entries.map((entry) => [scoreOf(entry, weighed), entry]).filter(([score]) => score > 0).sort((a, b) => b[0] - a[0]).slice(0, MOST);
         list.replaceChildren(...hits.map(([, entry]) => item(entry, meant)));
-        found.textContent = hits.length === 0 ? 'Nothing found' : `${hits.length} ${hits.length === 1 ? 'section' : 'sections'} found`;
-        if (hits.length === 0) list.innerHTML = '<li class="none">Nothing found.</li>';
+        found.textContent = !complete ? '' : hits.length === 0 ? 'Nothing found' : `${hits.length} ${hits.length === 1 ? 'section' : 'sections'} found`;
+        if (hits.length === 0) list.innerHTML = `<li class="none">${complete ? 'Nothing found.' : 'Searching …'}</li>`;
         list.hidden = false;
     }
     field.addEventListener('input', search);

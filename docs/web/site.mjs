@@ -285,8 +285,10 @@ for (const file of sources.texts.keys()) {
     }));
 }
 
-const index = pages.map(({address, title, sections}) => [address, title, sections.map(({id, html, text}) => [id, plain(html.replace(/<[^>]*>/g, '')), text])]);
+// The headings are loaded with the search field, and the texts, which take twenty times as long, with the first letter.
+const index = pages.map(({address, title, sections}) => [address, title, sections.map(({id, html}) => [id, plain(html.replace(/<[^>]*>/g, ''))])]);
 fs.writeFileSync(`${out}/search.js`, `searchIndex(${JSON.stringify(index)});\n`);
+fs.writeFileSync(`${out}/search_text.js`, `searchText(${JSON.stringify(pages.flatMap(({sections}) => sections.map(({text}) => text)))});\n`);
 await writeFonts(letters(pages));
 
 fs.mkdirSync(`${out}/pictures`, {recursive: true});

@@ -143,9 +143,15 @@ await page.close();
 ({page, said} = await open('00_first_scene.html', PHONE));
 const search = async (words) => {
     await page.getByRole('searchbox').fill(words);
-    await page.waitForFunction(() => !document.querySelector('.results').hidden);
+    await page.waitForFunction(() => document.querySelector('.found').textContent !== ''); // the texts have arrived
     return page.locator('.results a').evaluateAll((all) => all.map((one) => one.textContent));
 };
+let held = null;
+await page.route('**/search_text.js', (route) => { held = route; }, {times: 1});
+await page.getByRole('searchbox').fill('shadow');
+await page.locator('.results a').first().waitFor();
+check('before the texts are loaded, a search finds headings', /^03 Shadows/.test(await page.locator('.results a').first().textContent()) && await page.locator('.results mark').count() === 0);
+await held.continue();
 let results = await search('shadow');
 check('a search for a word of a page\'s title finds that page first', /^03 Shadows/.test(results[0]), results.slice(0, 3));
 const list = await page.locator('.results').boundingBox();
@@ -154,11 +160,8 @@ const cut = await page.evaluate(() => {
     const texts = [...document.querySelectorAll('.results a > small:last-child')].map((one) => one.textContent);
     const index = document.createElement('script');
     return new Promise((done) => {
-        window.searchIndex = (pages) => done(texts.filter((text) => {
-            const words = text.replace(/^… | …$/g, ''), all = ` ${pages.flatMap(([, , sections]) => sections.map((one) => one[2])).join(' ')} `;
-            return !all.includes(` ${words} `);
-        }));
-        index.src = document.querySelector('.search input').dataset.index;
+        window.searchText = (all) => done(texts.filter((text) => !` ${all.join(' ')} `.includes(` ${text.replace(/^… | …$/g, '')} `)));
+        index.src = 'search_text.js';
         document.head.append(index);
     });
 });

@@ -9,7 +9,7 @@ import {pathToFileURL} from 'node:url';
 import {blankPage, check, finish, launch, serve, SITE, whole} from './browser.mjs';
 
 const AXE = fs.readFileSync('build/node/node_modules/axe-core/axe.min.js', 'utf8');
-const LATER = /harness|course|stage\.js|program\.js|editor\.js|check\.js|exercises|search\.js/; // loaded only after a click or for a search
+const LATER = /harness|course|stage\.js|program\.js|editor\.js|check\.js|exercises|search/; // loaded only after a click or for a search
 const pattern = new RegExp(process.argv[2] || '');
 const server = await serve(SITE), browser = await launch('none');
 // The pages of the source files differ only in their texts, so a few of them suffice.

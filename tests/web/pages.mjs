@@ -145,6 +145,8 @@ console.log(`# the heaviest pages, with scripts and styles, compressed: ${weight
 const texts = [...weights].sort((a, b) => b.raw - a.raw);
 const zip = fs.existsSync(`${SITE}.zip`) ? fs.statSync(`${SITE}.zip`).size : 0;
 check('the archive of the site has at most 25 MB', zip <= 25e6, zip);
+const index = weight('find.js') + weight('search.js');
+check('the search field loads at most 25 KB when it gets the focus, compressed', index <= 25e3, index);
 console.log(`# the largest pages without scripts and styles, uncompressed: ${texts.slice(0, 3).map((one) => `${one.name} ${kilo(one.raw)} KB`).join(', ')}`);
 check('no page has more than 150 KB of HTML, uncompressed', texts[0].raw <= 150e3, texts[0]);
 check('no page has more than 150 KB with its scripts and styles, compressed', weights[0].sent <= 150e3, weights[0]);
