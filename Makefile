@@ -23,6 +23,7 @@ VIEW =
 ROUNDS =
 WRITE =
 WEB =
+ADDRESS =
 WINDOWS =
 STUDENT =
 PORT = 8000
@@ -33,7 +34,7 @@ SANITIZE =
 FUZZER =
 # The input and output of awk, sort and gcc must not depend on the user's language.
 export LC_ALL = C
-export CHAPTER FIGURE LIST SUITE COUNT SEED NAME EXERCISE EXERCISES CSV FILE FILES PICTURES FORCE FRAMES FPS VIEW ROUNDS WRITE DURATION SECONDS PROGRAM
+export CHAPTER FIGURE LIST SUITE COUNT SEED NAME EXERCISE EXERCISES CSV FILE FILES PICTURES FORCE FRAMES FPS VIEW ROUNDS WRITE ADDRESS DURATION SECONDS PROGRAM
 
 # Recursive makes run in parallel, unless the caller has chosen the number of jobs.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -383,7 +384,7 @@ book: ## typeset all pages as one PDF, build/book.pdf (installs pandoc and XeLaT
 	@.make/setup.sh book
 	@.make/book.sh
 
-site: ready web build/node/package-lock.json $(if $(STUDENT),student) ## build a website from all pages, with the programs running in them: build/site/ and build/site.zip; with STUDENT=1, the website for students in build/student/
+site: ready web build/node/package-lock.json $(if $(STUDENT),student) ## build a website from all pages, with the programs running in them: build/site/ and build/site.zip; with STUDENT=1, the website for students in build/student/; with ADDRESS=https://…/, links to it are shown with a picture
 	@$(if $(STUDENT),.make/student_site.sh,.make/site.sh)
 
 serve: site ## serve that website on this machine only, at http://127.0.0.1:8000/; choose another port with PORT=8001

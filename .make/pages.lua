@@ -67,23 +67,25 @@ function pages.fold(html)
     return html:match('^<details><summary>(%a+)</summary>')
 end
 
+-- The text of a word, in which the hyphen before a number has become a minus sign.
+function pages.minus(text)
+    return (text:gsub('^([(%[]?)%-(%.?%d)', '%1−%2'))
+end
+
 -- ---- For LaTeX ----
 
 -- Characters that the font of the text lacks are set in another font.
 function pages.str(element)
     local parts, plain = {}, ''
-    for _, code in utf8.codes(element.text) do
+    for _, code in utf8.codes(pages.minus(element.text)) do
         local sign = utf8.char(code)
-        if code >= 0x2070 then
+        if code >= 0x2070 and sign ~= '−' then
             if plain ~= '' then table.insert(parts, pandoc.Str(plain)) end
             plain = ''
             table.insert(parts, pandoc.RawInline('latex', '{\\symbolfont ' .. sign .. '}'))
         else
             plain = plain .. sign
         end
-    end
-    if #parts == 0 then
-        return nil
     end
     if plain ~= '' then table.insert(parts, pandoc.Str(plain)) end
     return parts

@@ -44,6 +44,10 @@ local function french(inlines)
     return inlines
 end
 
+local function word(element)
+    return pandoc.Str(pages.minus(element.text))
+end
+
 local function raw(element)
     return element.format:match('html') and element.text:match('^<!%-%-') and {} or nil
 end
@@ -68,7 +72,7 @@ end
 
 function Pandoc(document)
     local blocks = pandoc.walk_block(pandoc.Div(neighbours(pages.captioned(document.blocks))), {
-        Link = link, Para = paragraph, CodeBlock = block, RawBlock = raw, RawInline = raw, Inlines = french,
+        Link = link, Para = paragraph, CodeBlock = block, RawBlock = raw, RawInline = raw, Inlines = french, Str = word,
     }).content
     return pandoc.Pandoc(blocks, pandoc.Meta({}))
 end

@@ -36,7 +36,9 @@ export function folderServer(folder, more = {}) {
             head(path.extname(file), packs ? {'content-encoding': 'gzip', vary: 'accept-encoding'} : {});
             (packs ? data.pipe(zlib.createGzip()) : data).pipe(answer);
         } else {
-            answer.writeHead(404, {'content-type': 'text/plain'}).end(`${name}: not found\n`);
+            const page = path.join(folder, '404.html');
+            if (fs.existsSync(page)) answer.writeHead(404, {'content-type': TYPES['.html']}).end(fs.readFileSync(page));
+            else answer.writeHead(404, {'content-type': 'text/plain'}).end(`${name}: not found\n`);
         }
     });
 }

@@ -73,6 +73,24 @@
     document.addEventListener('scroll', follow, {passive: true});
     follow();
 
+    // ---- When a phone is turned, the line that is being read stays where it is ----
+
+    let line = null, across = innerWidth; // line: the block at the top of the screen, and the share of it that is above
+    function mark() {
+        for (const top of [60, 75, 90, 120, 150]) {
+            const block = document.elementFromPoint(innerWidth / 2, top)?.closest('main :is(p, li, pre, h1, h2, h3, figure, table, live-chapter, summary)');
+            const box = block?.getBoundingClientRect();
+            if (box) { line = {block, top, share: (top - box.top) / box.height}; return; }
+        }
+    }
+    document.addEventListener('scroll', mark, {passive: true});
+    addEventListener('resize', () => {
+        if (innerWidth === across || !line?.block.isConnected) return;
+        across = innerWidth;
+        const {top, height} = line.block.getBoundingClientRect();
+        scrollBy({top: top + line.share * height - line.top, behavior: 'instant'});
+    });
+
     // If the target of a link is in a closed fold, open the fold.
     function unfold() {
         const target = location.hash && document.getElementById(idOf(location.hash));

@@ -2,7 +2,8 @@
 //   OUT   the folder of the site, which must exist
 //   PAGE  the pages in reading order, as files
 // The script also writes the front page, the Play page, a page for each file that pages link to, the search index, the
-// pictures, and the fonts. OUT.parts/ is for intermediate files.
+// pictures, and the fonts. OUT.parts/ is for intermediate files. The variable ADDRESS is the address at which the site will
+// be; without it, other sites show no picture beside a link to a page.
 import {createHash} from 'node:crypto';
 import {execFile} from 'node:child_process';
 import fs from 'node:fs';
@@ -22,6 +23,7 @@ const run = promisify(execFile);
 const [out, ...files] = process.argv.slice(2);
 const HERE = 'docs/web/';
 const TITLE = 'Ray marching, step by step';
+const ADDRESS = (process.env.ADDRESS ?? '').replace(/\/?$/, '/');
 const template = read(`${HERE}template.html`);
 const sources = new Sources(), pictures = new Map();
 
@@ -162,11 +164,13 @@ function write(page, pages) {
     if (sheets) fs.writeFileSync(`${out}/${script}`, sheets);
     const first = /<p>(.*?)<\/p>/s.exec(page.body)?.[1] ?? '';
     const words = plain(first.replace(/<math.*?<\/math>/gs, '…')).replace(/\s+/g, ' ');
+    const shown = /<live-chapter[^>]*><img src="([^"]*)"/.exec(page.body)?.[1] ?? `pictures/${smallOf('21_a_landscape-smooth.png')}`;
     fs.writeFileSync(`${out}/${page.address}`, fill({
         root: '', kind: `${page.stem ? 'chapter' : page.address.replace('.html', '')}${list ? ' three' : ''}`,
         fonts: /<math/.test(page.body) ? '\n<link rel="preload" href="fonts/formula.woff2" as="font" type="font/woff2" crossorigin>' : '',
         title: escaped(page.address === 'index.html' ? TITLE : `${page.title} · ${TITLE}`),
         description: escaped(words.length > 155 ? `${words.slice(0, words.lastIndexOf(' ', 155))} …` : words),
+        preview: ADDRESS === '/' ? '' : `\n<meta property="og:title" content="${escaped(page.title)}">\n<meta property="og:image" content="${escaped(ADDRESS + shown)}">`,
         head: (sheets ? `\n<link rel="stylesheet" href="sheet.css">\n<script src="${script}" defer></script>${needsParts(page.body, sheets) ? '\n<script src="sheet_parts.js" defer></script>' : ''}\n<script src="sheet.js" defer></script>` : '') + (!alive ? '' : '\n<link rel="stylesheet" href="live.css">\n<script type="module" src="live.js"></script>' + (page.address === 'play.html' ? '\n<script type="module" src="play.js"></script>' : '')),
         answers: ['guess', 'question'].filter((name) => page.body.includes(`class="${name}"`)).map((name) => `<script src="${name}.js" defer></script>\n`).join(''),
         menu: list ? '<button type="button" class="menu at" popovertarget="sections">Sections</button>\n' : '',
@@ -284,6 +288,13 @@ for (const file of sources.texts.keys()) {
         contents: contents(pages, undefined, root(file)), body: sources.body(file),
     }));
 }
+
+// Servers show this page for an address that does not exist, at any depth, so its links begin with the site's path.
+const {pathname} = new URL(ADDRESS, 'http://localhost');
+fs.writeFileSync(`${out}/404.html`, fill({
+    root: pathname, kind: 'file', title: escaped(`Not found · ${TITLE}`), description: 'There is no such page', contents: contents(pages, undefined, pathname),
+    body: `<h1>There is no such page</h1>\n<p>The address may have been mistyped. The <a href="${pathname}index.html">front page</a> lists all chapters, and the field above searches all pages.</p>`,
+}));
 
 // The headings are loaded with the search field, and the texts, which take twenty times as long, with the first letter.
 const index = pages.map(({address, title, sections}) => [address, title, sections.map(({id, html}) => [id, plain(html.replace(/<[^>]*>/g, ''))])]);

@@ -74,8 +74,14 @@ export class Stage {
         const {part} = this;
         this.canvas = part('canvas', {className: 'live-canvas', tabIndex: 0});
         this.canvas.setAttribute('role', 'img');
-        this.canvas.addEventListener('pointerdown', (event) => { if (event.pointerType === 'touch') this.controls.classList.add('live-touched'); });
+        this.canvas.addEventListener('pointerdown', (event) => { if (event.pointerType === 'touch') for (const one of [this.controls, this.free]) one.classList.add('live-touched'); });
         this.status = part('p', {className: 'live-status'});
+        this.free = part('button', {type: 'button', textContent: 'Swipes act on the picture ✕', className: 'live-free', tabIndex: -1, title: 'Let swipes scroll the page'});
+        this.free.addEventListener('pointerdown', (event) => {
+            event.preventDefault(); // otherwise, the tap would select the picture below again
+            this.canvas.blur();
+        });
+        this.free.addEventListener('mousedown', (event) => event.preventDefault()); // the end of the tap on the picture that has shown this button
         this.notice = part('p', {className: 'live-notice', hidden: true});
         this.notice.setAttribute('role', 'status');
         this.pad = part('div', {className: 'live-pad'});
@@ -219,7 +225,7 @@ export class Stage {
         if (this.at === at) return;
         this.leave();
         this.at = at;
-        at.screen.append(this.canvas, this.notice);
+        at.screen.append(this.canvas, this.free, this.notice);
         at.screen.after(this.controls);
         at.classList.add('live-on');
         this.values.element.open = this.ray.element.open = !this.narrow.matches && !at.isInPlace;
@@ -234,7 +240,7 @@ export class Stage {
         this.program?.stop();
         at.classList.remove('live-on', 'live-window', 'live-drawn', 'live-waits', 'live-editing', 'live-wide');
         this.controls.remove();
-        for (const made of [this.canvas, this.notice]) made.remove();
+        for (const made of [this.canvas, this.free, this.notice]) made.remove();
         this.at = null;
         if (focused) (at.opener ?? at.button).focus({preventScroll: true});
         if (at.opener && !at.result?.isConnected) at.remove();

@@ -134,7 +134,7 @@ for (const [name, context] of [['mouse', DESK], ['finger', PHONE]]) {
     await page.getByRole('button', {name: 'Undo stroke'}).waitFor({timeout: PATIENCE}).catch(() => {}); // the page shows the button after the state has changed
     check(`${name}: a sculpting tool has a button that undoes its last stroke`, now.tool === true && await page.getByRole('button', {name: 'Undo stroke'}).count() === 1);
     await page.evaluate(() => document.querySelector('.live-screen:has(.live-canvas)').scrollIntoView({block: 'center', behavior: 'instant'}));
-    const shot = async () => (await page.locator('.live-canvas').screenshot()).toString('base64');
+    const shot = async () => (await page.locator('.live-canvas').screenshot({style: '.live-free { visibility: hidden }'})).toString('base64');
     let bare = ''; // the picture before the stroke, once it no longer changes
     await holds(page, async () => {
         const last = bare;
@@ -243,6 +243,11 @@ await page.close();
 ({page, said} = await open('01_normal_colouring.html', {...PHONE, bypassCSP: true}));
 await page.locator('.live-start').first().tap();
 await comes(page, 's.rate > 0');
+const free = page.locator('.live-free');
+await page.locator('.live-canvas').tap({position: {x: 190, y: 20}});
+check('a picture that keeps every swipe says so', await free.isVisible() && await page.evaluate(() => getComputedStyle(document.querySelector('.live-canvas')).touchAction) === 'none');
+await free.tap();
+check('a tap on that sign lets swipes scroll the page again', await free.isHidden() && await page.evaluate(() => getComputedStyle(document.querySelector('.live-canvas')).touchAction) === 'pan-y pinch-zoom');
 const icons = await page.locator('.live-iconed:not([hidden])').evaluateAll((all) => all.map((one) => one.getBoundingClientRect()).map(({top, height, width}) => [Math.round(top), height, width]));
 check('the controls are a single row of icons, large enough for a thumb', icons.length === 9 && new Set(icons.map(([top]) => top)).size === 1 && icons.every(([, height, width]) => height >= 44 && width >= 32), icons);
 await page.locator('.live-canvas').tap({position: {x: 190, y: 120}});
@@ -254,6 +259,23 @@ const orange = await page.locator('.live-slice').evaluate((one) => [...one.getCo
 check('the slice of the ray is drawn, while the program stays in the picture view', orange[0] > orange[2] && (await state(page)).view === 'picture', orange);
 await page.getByRole('button', {name: 'Move', exact: true}).tap();
 check('Move shows the arrow buttons', await page.getByRole('button', {name: 'Move forwards'}).isVisible());
+check('the console reports no error', said.length === 0, said);
+await page.close();
+
+// On its side, a phone is wide but has no room for the contents beside the text.
+({page, said} = await open('03_shadows.html', PHONE));
+const read = page.locator('main > p').nth(12), where = async () => Math.round((await read.boundingBox()).y);
+await read.evaluate((one) => scrollTo({top: one.getBoundingClientRect().top - 75, behavior: 'instant'}));
+await frames(page, 3);
+const upright = await where();
+await page.setViewportSize({width: 844, height: 390});
+await frames(page, 3);
+const flat = await where();
+await page.setViewportSize({width: 390, height: 844});
+await frames(page, 3);
+check('the paragraph at the top of the screen stays there when a phone is turned, and turned back', [flat, await where()].every((top) => Math.abs(top - upright) < 15), upright, flat, await where());
+await page.setViewportSize({width: 844, height: 390});
+check('on its side, a phone shows the text over its whole width', !await page.locator('.contents').isVisible() && (await page.locator('main').boundingBox()).x < 60);
 check('the console reports no error', said.length === 0, said);
 await page.close();
 

@@ -34,7 +34,7 @@ for (const [name, html] of text) {
                 continue;
             }
             const [file, id] = address.split('#');
-            const target = file === '' ? name : path.join(path.dirname(name), file.split('?')[0]);
+            const target = file === '' ? name : file.startsWith('/') ? file.slice(1) : path.join(path.dirname(name), file.split('?')[0]);
             if (!files.has(target) || (id && ids.has(target) && !ids.get(target).has(decodeURIComponent(id)))) dead.push(`${name}: ${address}`);
         }
     }
@@ -47,7 +47,7 @@ check('no page loads a file from another site', foreign.length === 0, foreign.sl
 check('no page has two elements with the same id', doubled.length === 0, doubled.slice(0, 8));
 
 const said = [...files].filter((name) => /\.(html|js|css|json|txt|frag|glsl)$/.test(name)).map((name) => fs.readFileSync(`${SITE}/${name}`, 'utf8')).join('');
-const idle = [...files].filter((name) => !said.includes(path.basename(name)) && name !== 'fonts/LICENSE.txt');
+const idle = [...files].filter((name) => !said.includes(path.basename(name)) && !['fonts/LICENSE.txt', '404.html'].includes(name));
 check('the site contains no unused files', idle.length === 0, idle.length, idle.slice(0, 8));
 
 // ---- Formulas ----
@@ -126,9 +126,11 @@ check('every chapter asks five exit questions', asking.length === fs.readdirSync
 
 // ---- The server ----
 
-const server = await serve(SITE), sent = await fetch(`${server.at}/index.html`), still = await fetch(`${server.at}/day.webp`);
-check('make serve compresses a page but not a picture', sent.headers.get('content-encoding') === 'gzip' && await sent.text() === text.get('index.html') && still.headers.get('content-encoding') === null, [...sent.headers]);
+const server = await serve(SITE), sent = await fetch(`${server.at}/index.html`), still = await fetch(`${server.at}/pictures/21_a_landscape-small.webp`), none = await fetch(`${server.at}/source/nothing.html`);
+check('make serve compresses a page but not a picture', sent.headers.get('content-encoding') === 'gzip' && await sent.text() === text.get('index.html') && still.ok && still.headers.get('content-encoding') === null, [...sent.headers]);
 await still.arrayBuffer();
+const missing = await none.text();
+check('an address that does not exist shows a page whose links work at any depth', none.status === 404 && /<h1>There is no such page/.test(missing) && [...missing.matchAll(/ (?:href|src|data-index)="([^"]*)"/g)].every(([, link]) => /^[/#]/.test(link)));
 server.close();
 
 // ---- Weight ----
