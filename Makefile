@@ -387,6 +387,9 @@ book: ## typeset all pages as one PDF, build/book.pdf (installs pandoc and XeLaT
 site: ready web build/node/package-lock.json $(if $(STUDENT),student) ## build a website from all pages, with the programs running in them: build/site/ and build/site.zip; with STUDENT=1, the website for students in build/student/; with ADDRESS=https://…/, links to it are shown with a picture
 	@$(if $(STUDENT),.make/student_site.sh,.make/site.sh)
 
+figures-html: ready build/node/package-lock.json ## write each interactive figure as one file for slides and learning platforms, into build/figures/
+	@.make/figures_html.sh
+
 serve: site ## serve that website on this machine only, at http://127.0.0.1:8000/; choose another port with PORT=8001
 	@node docs/web/serve.mjs build/site $(PORT)
 
@@ -502,7 +505,7 @@ references: ready ## regenerate the references, or those of CHAPTER=03, that are
 
 always:
 .PHONY: all programs tests fuzzer lecture_program ready run play bake lecture slides handouts check marks student questions compare diff film gallery benchmark book setup clean help test \
-        test-all test-fresh test-gpu fuzz monkey mutants lint format chapter docs figures figure_programs textures texture_programs \
+        test-all test-fresh test-gpu fuzz monkey mutants lint format chapter docs figures figure_programs figures-html textures texture_programs \
         references web test-web test-windows site serve module windows windows-zip always
 .DELETE_ON_ERROR:
 .SUFFIXES:

@@ -16,7 +16,7 @@ const STILL = ['--probe', '--step', '--from', '--overlay', '--list', '--print-sh
 // tests/pictures/images.txt. The pixel of --probe is removed from the line, because --probe would print its ray; it is
 // given in fractions of the picture instead, so that a window of any size can show the ray. A picture with several
 // samples per pixel is shown with one.
-const PICTURES = new Map(fs.readFileSync('tests/pictures/images.txt', 'utf8').split('\n').filter((line) => /^\d/.test(line)).map((row) => {
+export const pictures = new Map(fs.readFileSync('tests/pictures/images.txt', 'utf8').split('\n').filter((line) => /^\d/.test(line)).map((row) => {
     const [stem, variant, ...words] = row.trim().split(/\s+/);
     const value = (name) => words.includes(name) ? words.splice(words.indexOf(name), 2)[1] : undefined;
     const probe = value('--probe')?.split(','), step = value('--step');
@@ -27,7 +27,7 @@ const PICTURES = new Map(fs.readFileSync('tests/pictures/images.txt', 'utf8').sp
 const FIXED = /--(?:overlay|from|frames)/; // options with results that a page's window cannot show
 
 export function pictureOf(name) {
-    const found = PICTURES.get(name);
+    const found = pictures.get(name);
     return found && !FIXED.test(found.line) ? found : undefined;
 }
 

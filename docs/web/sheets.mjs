@@ -112,7 +112,8 @@ export function sheetOf(stem, line, img, inPage = true) {
         const [x, y] = given.get(name)?.split(',').map(Number) ?? value;
         return `<i class="sheet-point" data-name="${name}"${type === 'vec2' ? ` style="left:${(50 + 50 * x * height / width).toFixed(2)}%;top:${(50 - 50 * y).toFixed(2)}%"` : ' style="left:50%;top:50%" hidden'}></i>`;
     });
-    const sliders = data.parameters.filter(({handle, type}) => !handle || type === 'vec3').map(slider);
+    const own = fs.readFileSync(`chapters/figures/${name}.frag`, 'utf8'); // the other parameters are those of the camera and of the march
+    const sliders = data.parameters.filter(({name, handle, type}) => (!handle || type === 'vec3') && new RegExp(`^uniform +\\w+ +${name};`, 'm').test(own)).map(slider);
     return `<figure-sheet name="${name}"${values.length > 0 ? ` values="${escaped(values.join(' '))}"` : ''}><div class="sheet-screen">${img}${points.join('')}</div>`
         + `<div class="sheet-bar">${sliders.join('')}<span>${/\biTime\b/.test(data.shader) ? '<button type="button" class="sheet-play">Play</button>' : ''}<button type="button" class="sheet-reset" aria-label="Reset figure ${name}">Reset</button>`
         + `${inPage ? `<button type="button" class="sheet-edit" aria-label="Edit figure ${name}">Edit</button>` : ''}</span></div></figure-sheet>`;

@@ -160,6 +160,7 @@ if [ -n "${CI-}${ALL-}" ]; then
     survives 'make figures' docs/figures/a.svg .make/figures.sh a
     survives 'make web' 'build/web/course build/web/course.json build/web/harness.js' .make/web.sh
     survives 'make site' 'build/site build/site.zip' .make/site.sh
+    survives 'make figures-html' build/figures .make/figures_html.sh
     survives 'make windows-zip' build/ray-marching-windows.zip .make/windows_zip.sh
 fi
 

@@ -134,6 +134,7 @@ END
 [ ! -e "$project/broken" ] || { echo 'Error: broken' >&2; exit 1; }
 case $1 in
 */site.mjs) for page in index one two; do halves "$2/$page.html" || exit; done ;;
+*/figures_html.mjs) halves "$2/a.html" ;;
 *) mkdir -p "$2/course" && halves "$2/course/a.glsl" && halves "$2/course.json" ;;
 esac
 END

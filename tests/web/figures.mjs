@@ -1,6 +1,10 @@
 // figures.mjs [PATTERN] - tests every interactive figure in Chromium, in pages 1440 pixels wide with the mouse and 390
-// pixels wide with a finger (each_figure.mjs).
-import {blankPage, check, finish, frames, launch, serve, SITE, whole} from './browser.mjs';
+// pixels wide with a finger (each_figure.mjs), and as a single file.
+import {execFileSync} from 'node:child_process';
+import fs from 'node:fs';
+import {pathToFileURL} from 'node:url';
+import zlib from 'node:zlib';
+import {blankPage, check, finish, frames, launch, PATIENCE, serve, SITE, whole} from './browser.mjs';
 import {pagesWith, record, testFigures} from './each_figure.mjs';
 
 const server = await serve(SITE), browser = await launch();
@@ -40,6 +44,28 @@ for (const [width, context] of [[1440, {viewport: {width: 1440, height: 900}}], 
         await page.close();
     }
 }
+
+// ---- Figures as single files ----
+
+if (!process.argv[2]) {
+    const folder = 'build/web-test/figures', {page, said} = await blankPage(browser), asked = [], wrong = [], sizes = [];
+    fs.rmSync(folder, {recursive: true, force: true});
+    fs.mkdirSync(folder, {recursive: true});
+    execFileSync('node', ['docs/web/figures_html.mjs', folder]);
+    page.on('request', (request) => { if (!/^(data|blob):/.test(request.url())) asked.push(request.url()); });
+    const files = fs.readdirSync(folder).filter((name) => /^\d/.test(name));
+    for (const name of files) {
+        const text = fs.readFileSync(`${folder}/${name}`);
+        if (!text.includes('image/webp')) sizes.push(zlib.gzipSync(text, {level: 9}).length);
+        await page.goto(`${pathToFileURL(folder)}/${name}`);
+        await page.locator('figure-sheet.drawn').waitFor({timeout: PATIENCE}).catch(() => wrong.push(name));
+    }
+    check('each figure is also one file, which is drawn without a server and loads nothing', files.length > 80 && wrong.length === 0 && said.length === 0 && asked.length === files.length, files.length, wrong, said, asked.slice(0, 4));
+    console.log(`# the largest of these files without a texture: ${(Math.max(...sizes) / 1e3).toFixed(1)} KB compressed`);
+    check('a file of a figure without textures has at most 12 KB, compressed', Math.max(...sizes) <= 12e3, sizes);
+    await page.close();
+}
+
 console.log(`# ${all.count} figures in two widths, ${all.points} drags`);
 finish();
 await browser.close();
