@@ -30,7 +30,8 @@ static void quit(struct window *window)
 static void shoot(struct window *window)
 {
     window->shooting = true;
-    window->stale |= window->sharpening.smooths; // a screenshot is the picture of a command
+    // A screenshot is the picture of a command.
+    window->stale |= window->sharpening.inputs.samples != window->inputs.samples;
 }
 
 static void edit(struct window *window)

@@ -23,6 +23,8 @@
 // The time after which a picture at rest is drawn again, with SMOOTH x SMOOTH samples for a pixel.
 #define SMOOTH_SECONDS 1.0
 #define SMOOTH         3
+#define MOVING_SMOOTH  2    // the same for a picture that moves, if it is drawn in MOVING_SECONDS
+#define MOVING_SECONDS 0.03
 #define PIECE_SECONDS  0.05 // spent on sharpening between two checks of the input
 #define TRIAL_SECONDS  0.02 // a trial picture that takes longer is the last
 #define TRIAL_FINEST   12   // the finest level of a trial picture
@@ -126,11 +128,13 @@ static void fill_overlay(struct window *window)
 // ---- A frame ----
 
 // Draw the picture at a resolution level, and store the seconds that this took.
-//   pixels  receives the number of pixels
-static bool draw_at(struct window *window, int level, double *pixels)
+//   samples  along each side of a pixel
+//   pixels   receives the number of pixels, each as often as it was drawn
+static bool draw_at(struct window *window, int level, int samples, double *pixels)
 {
     struct renderer_inputs inputs = window->inputs;
     double divisor = resolution_divisor(level);
+    inputs.samples = samples;
     inputs.width = resolution_side(level, inputs.width);
     inputs.height = resolution_side(level, inputs.height);
     for (int i = 0; i < 2 && inputs.pixel[0] >= 0; i++)
@@ -143,7 +147,7 @@ static bool draw_at(struct window *window, int level, double *pixels)
         return false;
     window->renderer->gl->Finish();
     window->pace.seconds = glfwGetTime() - begin;
-    *pixels = pixels_of(&inputs);
+    *pixels = pixels_of(&inputs) * samples * samples;
     return true;
 }
 
@@ -164,11 +168,13 @@ static bool try_program(struct window *window)
         return true;
     window->pace.tried = program;
     double few = 0.0, pixels = 0.0, seconds = 0.0, cost = 0.0;
-    if (!draw_at(window, RESOLUTION_COARSEST, &few) || !draw_at(window, RESOLUTION_COARSEST, &few))
+    int samples = window->inputs.samples;
+    if (!draw_at(window, RESOLUTION_COARSEST, samples, &few) ||
+        !draw_at(window, RESOLUTION_COARSEST, samples, &few))
         return false;
     seconds = window->pace.seconds;
     for (int level = RESOLUTION_COARSEST - 4; level >= TRIAL_FINEST; level -= 4) {
-        if (!draw_at(window, level, &pixels))
+        if (!draw_at(window, level, samples, &pixels))
             return false;
         if (pixels > few)
             cost = fmax(window->pace.seconds - seconds, 0.0) / (pixels - few);
@@ -179,18 +185,32 @@ static bool try_program(struct window *window)
     return true;
 }
 
-// Draw the picture at the resolution that its cost allows.
+// True if edges may be smoother than the command line asks. In a page, the picture of a program is
+// compared with that of a file.
+static bool may_smooth(const struct window *window)
+{
+    return window->start->smooths && !window->shooting && !window->panel.in_page &&
+           window->renderer->view == VIEW_PICTURE;
+}
+
+// Draw the picture at the resolution that its cost allows, and with smooth edges if there is time.
 static bool draw_picture(struct window *window, double now)
 {
     if (window->moved)
         window->sharpening.due = now + REST_SECONDS;
     if (!try_program(window))
         return false;
+    struct resolution *resolution = &window->pace.resolution;
     double drawn, pixels = pixels_of(&window->inputs);
-    if (!draw_at(window, resolution_choose(&window->pace.resolution, pixels), &drawn))
+    int level = resolution_choose(resolution, pixels), samples = window->inputs.samples;
+    if (may_smooth(window) && level == 0 &&
+        resolution_cost(resolution) * pixels * MOVING_SMOOTH * MOVING_SMOOTH < MOVING_SECONDS)
+        samples = MOVING_SMOOTH;
+    if (!draw_at(window, level, samples, &drawn))
         return false;
-    resolution_learn(&window->pace.resolution, window->pace.seconds, drawn);
+    resolution_learn(resolution, window->pace.seconds, drawn);
     window->sharpening.inputs = window->inputs;
+    window->sharpening.inputs.samples = samples;
     window->sharpening.rows = window->sharpening.columns = 0;
     window->sharpening.seconds = 0.0;
     window->sharpening.smooths = false;
@@ -200,14 +220,12 @@ static bool draw_picture(struct window *window, double now)
     return true;
 }
 
-// True if the picture is at rest, complete, and still to be drawn with smooth edges. In a page, the
-// picture of a program is compared with that of a file.
+// True if the picture is at rest, complete, and still to be drawn with smooth edges.
 static bool begins_to_smooth(const struct window *window, double now)
 {
     bool complete = window->pace.resolution.level == 0 ||
                     window->sharpening.rows == window->sharpening.inputs.height;
-    return window->start->smooths && complete && !window->sharpening.smooths && !window->shooting &&
-           !window->panel.in_page && window->renderer->view == VIEW_PICTURE &&
+    return may_smooth(window) && complete && !window->sharpening.smooths &&
            now >= window->sharpening.due - REST_SECONDS + SMOOTH_SECONDS;
 }
 
