@@ -1,4 +1,4 @@
-// Chapter 00: a first scene. A sphere in the frame of a box, lit by a sun.
+// Chapter 00: a first scene. A lamp in the frame of a box.
 //
 // The complete ray marcher is in one file, 00_first_scene.frag. The camera of this shader moves
 // around the scene, so the keys that move the eye have no effect here. The page is
@@ -10,7 +10,7 @@ int main(int argc, char **argv)
     const struct chapter chapter = {
         .stem = "00_first_scene",
         .title = "00 First scene (the camera moves by itself)",
-        .shows = "A sphere in the frame of a box: a complete ray marcher in one file.",
+        .shows = "A lamp in the frame of a box: a complete ray marcher in one file.",
         .camera = {.position = {0.0f, 0.0f, 0.0f}},
     };
     return chapter_run(&chapter, argc, argv);

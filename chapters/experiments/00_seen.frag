@@ -23,8 +23,13 @@ vec3 rayColour(Ray ray)
 {
     Hit hit = march(ray, 0.0, 20.0, 0.0005, 128);
     if (!hit.found)
-        return vec3(0.5, 0.7, 1.0); // the sky
-    vec3 normal = normalAt(ray.origin + hit.t * ray.direction, 0.001);
-    vec3 toSun = normalize(vec3(1.0, 2.0, 3.0));
-    return vec3(1.0, 0.9, 0.5) * (0.15 + 0.85 * max(dot(normal, toSun), 0.0));
+        return mix(vec3(0.03, 0.05, 0.12), vec3(0.26, 0.32, 0.52), 1.0 + ray.direction.y); // the dusk
+    vec3 p = ray.origin + hit.t * ray.direction;
+    vec3 normal = normalAt(p, 0.001);
+    if (sdSphere(p, 0.3) < 0.001)
+        return mix(vec3(1.0, 0.6, 0.2), vec3(1.0, 0.95, 0.8), -dot(normal, ray.direction)); // the lamp
+    vec3 toLamp = -p;
+    float lamp = max(dot(normal, normalize(toLamp)), 0.0) / dot(toLamp, toLamp);
+    float moon = max(dot(normal, normalize(vec3(1.0, 2.0, 3.0))), 0.0);
+    return lamp * vec3(0.40, 0.27, 0.15) + (0.3 + moon) * vec3(0.22, 0.28, 0.40);
 }

@@ -59,7 +59,7 @@ vec3 rayColour(vec3 origin, vec3 direction)
 {
     float t = march(origin, direction);
     if (t < 0.0)
-        return vec3(0.5, 0.7, 1.0); // the sky
+        return mix(vec3(0.03, 0.05, 0.12), vec3(0.26, 0.32, 0.52), 1.0 + direction.y); // the dusk
     vec3 p = origin + t * direction;
     vec3 colour = eyesDistance(p) < 0.001 ? vec3(0.1) : vec3(0.95, 0.97, 1.0); // coal, snow
     vec3 toSun = normalize(vec3(1.0, 2.0, 3.0));

@@ -6,6 +6,9 @@ in vec2 FragCoord;  // the pixel's position: y from -1 to 1, x from -aspect to a
 in float Time;      // seconds
 out vec4 FragColor; // the pixel's colour
 
+uniform vec2 ball; // 0, 0 in [-1.5, 1.5] step 0.05, handle half screen heights: the lamp
+vec3 centre;       // its centre in the scene; main computes it
+
 // 1. The scene: how far is the point p from it?
 
 float sdSphere(vec3 p, float radius)
@@ -37,8 +40,7 @@ vec3 turnedY(vec3 p, float angle)
 
 float sceneDistance(vec3 p)
 {
-    p = turnedY(p, 0.5 * Time);
-    return min(sdBoxFrame(p, vec3(0.5), 0.05), sdSphere(p, 0.3));
+    return min(sdBoxFrame(turnedY(p, 0.5 * Time), vec3(0.5), 0.05), sdSphere(p - centre, 0.3));
 }
 
 // 2. The march: how far along the ray is the scene? A negative result means a miss.
@@ -65,16 +67,21 @@ vec3 normalAt(vec3 p)
                           sceneDistance(p + h.yyx) - sceneDistance(p - h.yyx)));
 }
 
-// 4. The colour: a surface that faces the sun is bright.
+// 4. The colour: the ball shines, and a surface that faces it, or the moon, is bright.
 
 vec3 rayColour(vec3 origin, vec3 direction)
 {
     float t = march(origin, direction);
     if (t < 0.0)
-        return vec3(0.5, 0.7, 1.0); // the sky
-    vec3 normal = normalAt(origin + t * direction);
-    vec3 toSun = normalize(vec3(1.0, 2.0, 3.0));
-    return vec3(1.0, 0.9, 0.5) * (0.15 + 0.85 * max(dot(normal, toSun), 0.0));
+        return mix(vec3(0.03, 0.05, 0.12), vec3(0.26, 0.32, 0.52), 1.0 + direction.y); // the dusk
+    vec3 p = origin + t * direction;
+    vec3 normal = normalAt(p);
+    if (sdSphere(p - centre, 0.3) < 0.001)
+        return mix(vec3(1.0, 0.6, 0.2), vec3(1.0, 0.95, 0.8), -dot(normal, direction)); // the lamp
+    vec3 toLamp = centre - p;
+    float lamp = max(dot(normal, normalize(toLamp)), 0.0) / dot(toLamp, toLamp);
+    float moon = max(dot(normal, normalize(vec3(1.0, 2.0, 3.0))), 0.0);
+    return lamp * vec3(0.40, 0.27, 0.15) + (0.3 + moon) * vec3(0.22, 0.28, 0.40);
 }
 
 // 5. The camera: where is the eye, and where does this pixel look?
@@ -85,6 +92,7 @@ void main()
     vec3 forward = normalize(-eye);
     vec3 right = normalize(cross(forward, vec3(0.0, 1.0, 0.0)));
     vec3 up = cross(right, forward);
+    centre = length(eye) / 1.8 * (ball.x * right + ball.y * up);
     vec3 direction = normalize(FragCoord.x * right + FragCoord.y * up + 1.8 * forward);
     FragColor = vec4(rayColour(eye, direction), 1.0);
 }

@@ -247,6 +247,16 @@ bad_captions() { # PAGE
         END { judge() }' "$1"
 }
 
+# Print the paragraphs that begin with a small letter, though no formula or listing before them has interrupted a
+# sentence: a line was lost, or a blank line slipped in.
+torn() { # PAGE
+    awk '
+        /^ *```/ { fenced = !fenced }
+        !fenced && blank && /^[a-z]/ && last !~ /(```|[$][$])$/ { print "line " FNR ": a paragraph begins in the middle of a sentence" }
+        { blank = /^$/ }
+        !blank { last = $0 }' "$1"
+}
+
 # Print the paragraphs of a story with more than twelve numbers. A point in brackets or a formula counts as one number,
 # and the number of a chapter, section or key as none.
 crowded() { # PAGE
@@ -447,6 +457,7 @@ check_pages() {
         judge "$page: links, pictures and anchors exist" "$(bad_links "$page")"
         judge "$page: pictures are tested references" "$(bad_pictures "$page")"
         judge "$page: has no merge conflict markers" "$(bad_merges "$page")"
+        judge "$page: no paragraph begins in the middle of a sentence" "$(torn "$page")"
         judge "$page: GitHub renders its formulas" "$(bad_formulas "$page")"
         judge "$page: commands are accepted by their programs" "$(bad_commands "$page")"
         judge "$page: probes print the last line that the page shows" "$(bad_outputs "$page")"
@@ -496,6 +507,7 @@ check_checks() {
     refuses 'more than three listings in a row' "$(sed '/^<!-- code:/{p;p;p}' .make/chapter/chapter.md)" bad_form
     refuses 'a story of more than 3800 words' "$(sed "/^## 1/s/\$/\n\n$(printf 'word %.0s' {1..3800})/" .make/chapter/chapter.md)" bad_form
     refuses 'a picture without a caption' $'![a](a.png)\n\n![b](b.png)\n\n*Predict.* Why?' bad_captions
+    refuses 'a paragraph that begins in the middle of a sentence' $'The wall is\n\nhalf as light.' torn
     refuses 'thirteen numbers in a paragraph' '1 2 3 4 5 6 7 8 (9, 10) $11$ and $x_0 = 12$ or 13 and 14, not `16` or $x^2$' crowded
     printf '1 2 3 4 5 6 7 8 (9, 10) $11$ and $x_0 = 12$ or 13, not `16` or $x^2$\n\n' >"$scratch/twelve.md"
     judge 'twelve numbers in a paragraph are accepted' "$(crowded "$scratch/twelve.md")"
