@@ -100,21 +100,30 @@ static char *new_name(const struct translation *t, const struct glsl_token *toke
     return is_line_lookup(t, token) ? memory_text("harnessLine") : new_texture(word);
 }
 
-// Separate a sign from a macro or a parameter of a macro that follows it, because Mesa takes the
-// sign and one at the beginning of what it expands to for -- or ++.
-static void take_signed(struct translation *t, const struct glsl_token *token)
+// True for a word that is a macro, or may be a parameter of one.
+static bool may_expand(const struct glsl_token *token)
 {
-    bool expands = token->macro || token->directive;
-    if (!t->web && expands && token->begin > 0 &&
-        strchr("+-", t->code->text[token->begin - 1]) != NULL)
-        edits_add(&t->edits, token->begin, 0, " ");
+    return token->kind == GLSL_WORD && (token->macro || token->directive);
+}
+
+// Separate a sign from what may expand to another one directly beside it: a macro, its arguments,
+// or a parameter of a macro. Mesa would take the two for -- or ++.
+static void part_sign(struct translation *t, const struct glsl_token *sign)
+{
+    const struct glsl_token *before = sign - 1, *after = sign + 1;
+    if (t->web || !glsl_is_sign(sign, "+-"))
+        return;
+    if (sign > t->code->item && before->begin + before->length == sign->begin &&
+        (before->sign == ')' || may_expand(before)))
+        edits_add(&t->edits, sign->begin, 0, " ");
+    if (after->begin == sign->begin + 1 && may_expand(after))
+        edits_add(&t->edits, after->begin, 0, " ");
 }
 
 static void take_word(struct translation *t, const struct glsl_token *token)
 {
     bool macro = token->macro;
     char *instead = new_name(t, token);
-    take_signed(t, token);
     if (instead != NULL)
         edits_replace(&t->edits, token, instead);
     free(instead);
@@ -309,6 +318,8 @@ void translation_words(struct translation *t)
             take_word(t, token);
         else if (token->kind == GLSL_NUMBER)
             take_number(t, token);
+        else
+            part_sign(t, token);
     }
     if (t->web && glsl_find_definition(t->code, t->toy ? "mainImage" : "main") != NULL)
         move_values(t);
