@@ -59,7 +59,8 @@ vec3 airDepth()
 // Sunlight that the air scatters, or the report's colour for it, plus the light of the night sky.
 vec3 skyLight(vec3 direction, vec3 sun)
 {
-    vec3 day = sunlitSky(direction, sun, airDepth());
+    vec3 shaded = 0.6 * skyAmbient(sun, airDepth()); // where the Earth shades the air, only other air lights it
+    vec3 day = mix(sunlitSky(direction, sun, airDepth()), shaded, earthShadow(direction, sun));
     if (reportSky)
         day = vec3(0.5, 0.7, 1.0) * vec3(1.0, vec2(max(sun.y, 0.0)));
     return day + nightSky(direction, sun);
@@ -259,6 +260,7 @@ vec3 cityColour(Ray ray, vec3 sun, vec3 sky)
     Surface surface = surfaceAlong(ray);
     vec3 city = mix(sky, surfaceLight(surface, ray.direction, sun, sky), exp(-0.0006 * surface.t * surface.t));
     vec3 sunDisc = 14.0 * disc(ray.direction, sun, 0.014) * transmittance(airDepth(), airMass(sun.y));
+    sunDisc *= step(0.0, ray.direction.y); // beyond the farthest towers, the ground hides what is below the horizon
     return exposed(surface.met ? city : sky + sunDisc, sun);
 }
 

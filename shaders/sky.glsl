@@ -116,6 +116,18 @@ vec3 sunlitSky(vec3 direction, vec3 sun, vec3 depth)
     return gain * scatteredLight(depth, view, sunMass) + halo;
 }
 
+// The share of the air in a direction that the Earth shades: its shadow rises opposite the sun as the sun sinks.
+//   direction, sun  as for sunlitSky
+//   returns   0 by day and on the side of the sun
+//   formula   opposite the sun, the edge of the shadow is as high as the sun is low; it sinks towards the sides, and is
+//             about as soft as it is high. A model fitted by eye
+float earthShadow(vec3 direction, vec3 sun)
+{
+    float away = 0.5 - 0.5 * dot(direction.xz, sun.xz) / max(length(direction.xz) * length(sun.xz), 1e-6);
+    float low = max(-sun.y, 0.0), edge = low * away, soft = 0.03 + low;
+    return smoothstep(0.3, 1.0, away) * smoothstep(0.0, 0.04, low) * (1.0 - smoothstep(edge - soft, edge + soft, direction.y));
+}
+
 // The sky's own light at night, a model fitted by eye. This light is brightest at the horizon.
 //   direction, sun  as for sunlitSky
 vec3 nightSky(vec3 direction, vec3 sun)

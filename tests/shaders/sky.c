@@ -266,9 +266,50 @@ TEST(test_the_sun_of_the_picture_is_low_in_the_west)
     assert_true(fabs(height - 3.55) < 0.005 && fabs(aside + 0.62) < 0.005);
 }
 
+// The Earth's shadow is not there by day, nor towards the sun. Opposite the sun it covers the
+// horizon, and its edge, where half of the air is shaded, is as high as the sun is low.
+TEST(test_the_shadow_of_the_earth_rises_opposite_the_sun)
+{
+    for (int low = -10; low <= 10; low += 2) {
+        float *values = sky(3, 32, (float)-low, 0.0f);
+        for (int i = 0; i < 32 * 1024; i++) {
+            double share = (double)values[4 * i], height = (double)values[4 * i + 1];
+            double edge = low * MIRROR_PI / 180.0;
+            assert_true(share >= 0.0 && share <= 1.0);
+            if (low <= 0 || i < 16 * 1024)
+                assert_true(share < (low <= 0 ? 1e-6 : 0.5));
+            if (low >= 4 && i >= 31 * 1024 && height < 0.5 * edge)
+                assert_true(share > 0.5);
+            if (low >= 4 && i >= 31 * 1024 && height > 1.5 * edge)
+                assert_true(share < 0.5);
+            assert_true(i % 1024 == 0 || share <= (double)values[4 * (i - 1)] + 1e-6);
+        }
+        free(values);
+    }
+}
+
+// Half an hour after sunset, seen from above the roofs, the sun's disc is below the horizon, behind
+// the ground: where it would be, the picture is as bright as beside it.
+TEST(test_the_ground_hides_the_sun)
+{
+    assert_true(
+        gpu_load_text("#include \"main.glsl\"\n#define rayColour chapterColour\n"
+                      "#include \"09_sky_and_sunset.frag\"\n#undef rayColour\n"
+                      "vec3 rayColour(Ray ray)\n{\n"
+                      "    vec3 sun = sunDirection(hour(), LATITUDE, DECLINATION);\n"
+                      "    vec3 aside = normalize(sun + vec3(0.03 * float(iPixel.x), 0.0, 0.0));\n"
+                      "    return chapterColour(Ray(vec3(2.3, 20.0, -1.5), aside));\n}\n"));
+    gpu_set("timeOfDay", 18.3);
+    struct renderer_inputs inputs = gpu_inputs(2, 1, 1);
+    float *values = gpu_numbers(&inputs);
+    for (int k = 0; k < 3; k++)
+        assert_true(fabsf(values[k] - values[4 + k]) < 0.02f);
+    free(values);
+}
+
 TEST(test_glow_and_disc_follow_their_formulas)
 {
-    float *values = sky(3, 1, 0.0f, 0.0f);
+    float *values = sky(4, 1, 0.0f, 0.0f);
     for (int i = 0; i < 1024; i++) {
         const float *v = values + 4 * i;
         double c = cos((double)v[2]), x = 0.04 / (1.64 - 1.6 * c);

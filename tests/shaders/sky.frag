@@ -24,6 +24,11 @@ void main()
         FragColor = vec4(view, sun, light.x, light.z);
     } else if (Time < 3.0) { // iMouse: latitude, declination
         FragColor = vec4(sunDirection(number * 0.0234375, iMouse.x, iMouse.y), number * 0.0234375);
+    } else if (Time < 4.0) { // iMouse: the sun's height, degrees; heights of the direction, to the right, and angles to the sun, upwards
+        vec2 turn = radians(vec2(90.0, 180.0) / vec2(1023.0, 31.0)) * floor(gl_FragCoord.xy);
+        vec3 sun = vec3(0.0, sin(radians(iMouse.x)), cos(radians(iMouse.x)));
+        vec3 direction = vec3(cos(turn.x) * sin(turn.y), sin(turn.x), cos(turn.x) * cos(turn.y));
+        FragColor = vec4(earthShadow(direction, sun), turn, 0.0);
     } else {
         float angle = number * 0.003;
         vec3 away = vec3(sin(angle), 0.0, cos(angle));
