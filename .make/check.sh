@@ -12,11 +12,12 @@
 # if the solution exists, wrong.txt in that folder lists the wrong pictures, as scenes for `make lecture`. For `make
 # marks`, the files are arguments, CHECK_FOLDER replaces build/check/ in messages, CHECK_WORK is where it is made, and
 # MARKS names a file that receives a line for each of them, with fields separated by tabs: exercise, file, mark, verdict,
-# its picture, the right picture ('-' if there is none), and what a lecturer should look at. Each file is then drawn as if
-# it lay alone beside the course. FOLDERS names a file with the folders that belong to a single student; their answers
-# may include files in them. For `make student`, STORE is a folder in which the solution's
-# pictures and rays are stored; no file is checked. Exit status: 0 if every file is right, 1 if one is not, 2 if the
-# files cannot be checked.
+# its picture, the right picture and that of the difference ('-' if there is none), a + or - for each comparison, and what
+# a lecturer should look at. The first line is for the unsolved exercise; its verdict is the names of the comparisons,
+# separated by |. Each file is then drawn as if it lay alone beside the course. FOLDERS names a file with the folders that
+# belong to a single student; their answers may include files in them. For `make student`, STORE is a folder in which the
+# solution's pictures and rays are stored; no file is checked. Exit status: 0 if every file is right, 1 if one is not, 2
+# if the files cannot be checked.
 set -u
 
 . .make/write.sh
@@ -74,7 +75,7 @@ look() { # FILE OPTIONS PLACE N
 # List a wrong picture as a scene for `make lecture`, with the file on the left and the solution on the right. A list can
 # contain only plain names.
 list_wrong() { # FILE WORDS
-    [ -e "$solution" ] || return
+    [ -e "$solution" ] && [ "$1" != "$unsolved" ] || return
     if is_plain "$1"; then
         printf '%s --shader %s --compare %s %s\n    %s, on the left: %s\n' "${program#build/}" "$(quoted "$1")" "$solution" "$shown" "$1" "$2" >>"$work/wrong.txt"
     else
@@ -171,11 +172,12 @@ other_picture() { # FILE...
     head -n 1 <<<"$wanted" | sed -E "s/ --time +[^ ]+//; s/--size +[^ ]+/--size $((width + 16))x$((height + 9)) --time $((1 + sum % 20)).$((10 + sum / 20 % 90))/"
 }
 
-# Keep the last two pictures that are compared for a file, for the page of `make marks`.
+# Keep the two pictures that are compared, for the page of `make marks`.
 keep_pictures() { # N
     local own=$work/$checked.png right=$work/$checked.right.png
+    [ -n "${MARKS-}" ] || return 0
     { cp "$mine" "$own" && cp "$scratch/$1.png" "$right"; } 2>/dev/null || no_room
-    printf '%s\t%s\n' "$own" "$right" >"$scratch/kept"
+    printf '%s\t%s\t%s\n' "$own" "$right" "$(if [ -e "$difference" ]; then printf '%s\n' "$difference"; else echo -; fi)" >"$scratch/kept"
 }
 
 # Build a C program as docs/engine.md says, and print what it does with one command line: that it writes a picture, or
@@ -203,21 +205,20 @@ right_outcome() { # N OPTIONS
     }
 }
 
-# Judge a C program: with each command line, it must end as the solution does, and write the same picture.
-judge_program() { # FILE DIFFERENCE
-    local options said right number=0 shares=()
-    build_program "$1" "$scratch/mine" || { echo "does not compile: $(grep -m 1 error "$scratch/errors")"; return 1; }
-    while read -r options; do
-        number=$((number + 1))
-        right_outcome "$number" "$options"
-        right=$(cat "$scratch/$number.outcome")
-        said=$(outcome mine "$options")
-        [ "$said" = "$right" ] || { echo "with -o FILE.png $options the program $said, but the solution $right"; return 1; }
-        [[ $right == writes* ]] || continue
-        said=$(build/tests/judge picture "$options" "$scratch/$number.png" "$scratch/mine.png" "$work/$2") || { tail -n 1 <<<"$said: see $folder/$2"; return 1; }
-        shares+=("$(sed -n 2p <<<"$said")")
-    done <<<"$wanted"
-    build/tests/judge right "${shares[@]}"
+# Compare what a C program does with line N of the options: it must end as the solution does, and write the same picture.
+# Sets `said` to what is wrong, or `share`.
+compare_program() { # FILE N OPTIONS
+    local right
+    right_outcome "$2" "$3"
+    right=$(cat "$scratch/$2.outcome")
+    said=$(outcome mine "$3") share='' status=${said#ends with status }
+    [ "$said" = "$right" ] || { said="with -o FILE.png $3 the program $said, but the solution $right" && return 1; }
+    [[ $right == writes* ]] || return 0
+    said=$(build/tests/judge picture "$3" "$scratch/$2.png" "$mine" "$difference")
+    status=$?
+    { read -r _; read -r share; read -r said; } <<<"$said"
+    [ -n "$verdict" ] || keep_pictures "$2"
+    [ "$status" = 0 ] || { said+=$see && return 1; }
 }
 
 # Print where in the folder the picture of a file's differences is stored: under the path of the file. A long name is
@@ -230,57 +231,102 @@ difference_of() { # FILE
     printf '%s\n' "${path#/}$name.difference.png"
 }
 
-# Judge one file and print the verdict; its first line also fits into a table.
+# Compare picture N. Sets `said` to what is wrong, perhaps in several lines, or `share`.
+compare_picture() { # FILE N OPTIONS
+    local place words
+    shown=$(shown_of "$3")
+    right_picture "$2" "$3"
+    render "$3" "$1" -o "$mine" >/dev/null 2>"$scratch/errors" || {
+        status=$?
+        ! grep -qF "$mine: cannot be written: " "$scratch/errors" || no_room
+        [ -z "${MARKS-}" ] || [ "$2" != 1 ] || flag_outside "$1"
+        said=$(why_not "$status")
+        return 1
+    }
+    words=$(build/tests/judge picture "$shown" "$scratch/$2.png" "$mine" "$difference")
+    status=$?
+    [ "$status" -le 1 ] || exit 2 # judge has reported the error
+    { read -r place; read -r share; read -r words; } <<<"$words"
+    if [ -z "$verdict" ]; then
+        keep_pictures "$2"
+        [ "$status" = 0 ] || list_wrong "$1" "$words"
+    fi
+    [ "$status" = 0 ] || {
+        said=$words$see
+        [ -n "${MARKS-}" ] || said+=$'\n'$(look "$1" "$3" "$place" "$2")
+        return 1
+    }
+}
+
+# Compare the rays of nine pixels of the first picture.
+compare_rays() { # FILE OPTIONS
+    local places
+    places=$(places_of "$2")
+    right_rays "$2" "$places"
+    # shellcheck disable=SC2086 # the pixels are separate words
+    probes "$1" "$2" $places >"$scratch/mine"
+    said=$(build/tests/judge rays "$shown" "$places" "$scratch/rays" "$scratch/mine") || {
+        [ $? = 1 ] || exit 2 # judge has reported the error
+        list_wrong "$1" "$(head -n 1 <<<"$said")"
+        return 1
+    }
+}
+
+# Print the names of all comparisons.
+comparisons() {
+    while read -r options; do
+        options=$(shown_of "$options")
+        printf '%s\n' "the picture${options:+ with $options}"
+    done <<<"$wanted"
+    [[ $solution == *.diff ]] || echo 'the rays of nine of its pixels'
+}
+
+# Judge one file and print the verdict; its first line also fits into a table. `make check` stops at the first difference.
+# For `make marks`, all comparisons are made, and their results written to $scratch/results.
 judge() { # FILE
-    local file=$1 options status said place share shares=() shown places number=0 mine=$scratch/mine.png
-    local difference
+    local file=$1 compare=compare_picture mine=$scratch/mine.png difference see verdict='' options shown said share shares=() status number=0 results='' rays=- unmade
+    unmade=$(comparisons | sed 's/.*/-/' | tr -d '\n')
+    printf '%s\n' "$unmade" >"$scratch/results"
     difference=$(difference_of "$file")
     [ -e "$file" ] || { echo 'no such file'; return 1; }
     [ -f "$file" ] || { echo 'not a regular file'; return 1; }
     [ -r "$file" ] || { echo 'cannot be read'; return 1; }
-    mkdir -p "$(dirname "$work/$difference")" 2>/dev/null || { echo 'its path is too long, or the disk is full'; return 1; }
-    [[ $solution != *.diff ]] || { judge_program "$file" "$difference"; return; }
-    [ -z "${MARKS-}" ] || put_alone "$file"
+    if [ -n "${MARKS-}" ]; then
+        difference=$work/$checked.difference.png see=
+    else
+        see=": see $folder/$difference" difference=$work/$difference
+        mkdir -p "$(dirname "$difference")" 2>/dev/null || { echo 'its path is too long, or the disk is full'; return 1; }
+    fi
+    if [[ $solution == *.diff ]]; then
+        build_program "$file" "$scratch/mine" || { echo "does not compile: $(grep -m 1 error "$scratch/errors")"; return 1; }
+        compare=compare_program rays=
+    elif [ -n "${MARKS-}" ]; then
+        put_alone "$file"
+        flag_pictures "$file"
+    fi
     while read -r options; do
         number=$((number + 1))
-        shown=$(shown_of "$options")
-        right_picture "$number" "$options"
-        render "$options" "$file" -o "$mine" >/dev/null 2>"$scratch/errors"
-        status=$?
-        [ "$status" = 0 ] || {
-            ! grep -qF "$mine: cannot be written: " "$scratch/errors" || no_room
-            [ -z "${MARKS-}" ] || flag_outside "$file"
-            why_not "$status"
-            return 1
-        }
-        if [ -n "${MARKS-}" ]; then
-            keep_pictures "$number"
-            [ "$number" != 1 ] || flag_pictures "$file"
+        if $compare "$file" "$number" "$options"; then
+            results+=+
+            [ -z "$share" ] || shares+=("$share")
+            if [ "$number" = 1 ] && [ -n "$rays" ]; then
+                if compare_rays "$file" "$options"; then rays=+; else verdict=$said; fi
+            fi
+        else
+            results+=-
+            [ -n "$verdict" ] || verdict=$said
+            [ "$status" != 152 ] || break # SIGXCPU: it would take as long once more
         fi
-        said=$(build/tests/judge picture "$shown" "$scratch/$number.png" "$mine" "$work/$difference")
-        status=$?
-        [ "$status" -le 1 ] || exit 2 # judge has reported the error
-        { read -r place; read -r share; read -r said; } <<<"$said"
-        [ "$status" = 0 ] || {
-            printf '%s\n' "$said: see $folder/$difference"
-            look "$file" "$options" "$place" "$number"
-            list_wrong "$file" "$said"
-            return 1
-        }
-        shares+=("$share")
-        [ "$number" = 1 ] || continue
-        places=$(places_of "$options")
-        right_rays "$options" "$places"
-        # shellcheck disable=SC2086 # the pixels are separate words
-        probes "$file" "$options" $places >"$scratch/mine"
-        said=$(build/tests/judge rays "$shown" "$places" "$scratch/rays" "$scratch/mine") || {
-            [ $? = 1 ] || exit 2 # judge has reported the error
-            echo "$said"
-            list_wrong "$file" "$(head -n 1 <<<"$said")"
-            return 1
-        }
+        [ -z "$verdict" ] || difference=$scratch/difference.png
+        [ -n "${MARKS-}" ] || [ -z "$verdict" ] || break
     done <<<"$wanted"
-    [ -z "${MARKS-}" ] || flag_other_picture "$file"
+    [ -z "$rays" ] || unmade=${unmade%-}
+    printf '%s\n' "$results${unmade:${#results}}$rays" >"$scratch/results"
+    if [ -n "$verdict" ]; then
+        printf '%s\n' "$verdict"
+        return 1
+    fi
+    [ -z "${MARKS-}" ] || [ -z "$rays" ] || flag_other_picture "$file"
     build/tests/judge right "${shares[@]}"
 }
 
@@ -322,6 +368,8 @@ set -f
 
 program=build/$stem
 solution=chapters/solutions/${stem}_${EXERCISE#*_}.frag
+unsolved=chapters/$stem.frag
+[[ $EXERCISE == [0-9]* ]] || unsolved=chapters/first_steps/engine_6.c
 folder=${CHECK_FOLDER:-build/check}/$EXERCISE # for the pictures of the differences
 for file in ${files[@]+"${files[@]}"}; do
     ! is_in "$folder" "$file" || fail 2 "$file: make check writes the folder $folder anew: copy the file to another place"
@@ -346,7 +394,7 @@ if [ -n "${STORE-}" ]; then
     exit
 fi
 
-other=$(other_picture "${files[@]}")
+if [ -n "${MARKS-}" ] && [[ $solution != *.diff ]]; then other=$(other_picture "${files[@]}"); fi
 mkdir -p "$work" || exit 2
 wrong=0 width=0 checked=0 names=()
 for file in "${files[@]}"; do
@@ -354,16 +402,22 @@ for file in "${files[@]}"; do
     [ ${#names[checked]} -le "$width" ] || width=${#names[checked]}
     checked=$((checked + 1))
 done
+if [ -n "${MARKS-}" ]; then
+    checked=unsolved
+    judge "$unsolved" >/dev/null
+    [ $? -le 1 ] || exit 2
+    printf '%s\t-\tunsolved\t%s\t-\t-\t-\t%s\n' "$EXERCISE" "$(comparisons | paste -s -d '|' -)" "$(cat "$scratch/results")" >>"$MARKS" || exit 2
+fi
 checked=0
 for file in "${files[@]}"; do
     mark=right
     need_room
-    printf -- '-\t-\n' >"$scratch/kept"
+    printf -- '-\t-\t-\n' >"$scratch/kept"
     : >"$scratch/flags"
     verdict=$(judge "$file") || { [ $? = 2 ] && exit 2; need_room; mark=wrong wrong=$((wrong + 1)); }
     first=$(clean 1600 "${verdict%%$'\n'*}")
     if [ -n "${MARKS-}" ]; then
-        printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$EXERCISE" "$file" "$mark" "$first" "$(cat "$scratch/kept")" "$(paste -s -d '|' "$scratch/flags" | sed 's/|/ | /g')" >>"$MARKS" || exit 2
+        printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$EXERCISE" "$file" "$mark" "$first" "$(cat "$scratch/kept")" "$(cat "$scratch/results")" "$(paste -s -d '|' "$scratch/flags" | sed 's/|/ | /g')" >>"$MARKS" || exit 2
     elif [ -n "${FILES-}" ]; then
         printf '%-5s  %-*s  %s\n' "$mark" "$width" "${names[checked]}" "$first"
     else

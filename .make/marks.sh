@@ -9,10 +9,16 @@
 # file's name before the exercise names the student. With several exercises, the name of each file contains its
 # exercise, such as 03_1 in "lamp 03_1.frag".
 #
+# A wrong answer gets points for the comparisons of check.sh that hold, except for those that also hold for the unsolved
+# exercise. build/marks/feedback/ has a page for each student, and build/marks/summary.txt says which comparisons fail most
+# often.
+#
 # Environment: FILES; EXERCISES; CSV, a file for the table, by default build/marks/marks.csv, which may replace an older
-# table but no other file; CHECK_LIMIT, the seconds of processor time for one picture, by default 20. Exit status: 0 if
-# the table could be written, 2 if not. A file that is not marked because of its name is only reported. Everything is
-# written at the end; other tables in build/marks/ stay.
+# table but no other file; CSV_STYLE, words as in marks.awk; STUDENTS, a list of students as in list.awk, and IDENTIFIER,
+# the title of one of its columns; WEIGHTS, a file whose lines have an exercise and the points of a right answer, by
+# default 1; CHECK_LIMIT, the seconds of processor time for one picture, by default 20. Exit status: 0 if the table could
+# be written, 2 if not. A file that is not marked because of its name is only reported. Everything is written at the end;
+# other tables in build/marks/ stay.
 set -u
 export CHECK_LIMIT=${CHECK_LIMIT:-20}
 
@@ -47,6 +53,8 @@ student_of() { # FILE
     plain "${name#"$common"}"
 }
 
+is_readable() { [ -f "$1" ] && [ -r "$1" ]; }
+
 # Print the longest prefix that all lines share and that ends in '/'.
 common_folder() {
     awk 'NR == 1 { common = $0 }
@@ -75,6 +83,29 @@ if [ -n "${CSV-}" ]; then
         fail 2 "CSV=$CSV: this file is not a table of marks: choose another name, or delete the file"
 fi
 
+for word in ${CSV_STYLE-}; do
+    [[ $word =~ ^(comma|semicolon|tab|excel)$ ]] || fail 2 "CSV_STYLE=$CSV_STYLE: must be comma, semicolon or tab, or excel, alone or with one of these"
+done
+weights=
+if [ -n "${WEIGHTS-}" ]; then
+    is_readable "$WEIGHTS" || fail 2 "WEIGHTS=$WEIGHTS: cannot be read: it must be a file with lines such as '03_1 5'"
+    number=0
+    while read -r exercise points rest || [ -n "$exercise" ]; do
+        number=$((number + 1)) points=${points%$'\r'}
+        [[ $exercise != \#* && -n ${exercise%$'\r'} ]] || continue
+        [[ -z $rest && $exercise =~ ^([0-9][0-9]|engine)_[0-9]+$ && $points =~ ^[0-9]+([.][0-9]+)?$ ]] ||
+            fail 2 "WEIGHTS=$WEIGHTS: line $number: must be an exercise and its points, such as '03_1 5'"
+        weights+="$exercise=$points "
+    done <"$WEIGHTS"
+fi
+if [ -n "${STUDENTS-}" ]; then
+    is_readable "$STUDENTS" || fail 2 "STUDENTS=$STUDENTS: cannot be read: it must be a CSV file with titles, such as 'First name,Last name,Email address'"
+    ! [ "$STUDENTS" -ef "$table" ] || fail 2 "CSV=$table: this is the list of students: choose another name"
+    students=$(wanted=${IDENTIFIER-} awk -f .make/table.awk -f .make/list.awk <"$STUDENTS")
+    [[ $students != $'\t'* ]] || fail 2 "STUDENTS=$STUDENTS: which column identifies a student? Set IDENTIFIER to one of these titles: ${students#$'\t'}"
+    [ -n "$students" ] || fail 2 "STUDENTS=$STUDENTS: the file is empty: it must be a CSV file with titles, such as 'First name,Last name,Email address'"
+fi
+
 kept=() unnamed=()
 for file in "${files[@]}"; do
     if [[ "$file" == *[$'\t\n']* ]]; then
@@ -92,7 +123,7 @@ common=
 [ "$folders" = 1 ] || common=$(for file in "${files[@]}"; do file=${file#./} && printf '%s\n' "${file%"${file##*/}"}"; done | common_folder)
 
 begin build || exit 2
-mkdir -p "$new/marks" || exit 2
+mkdir -p "$new/marks/feedback" || exit 2
 : >"$new/judged"
 for file in "${files[@]}"; do
     is_shared "$file" || dirname "$file"
@@ -135,16 +166,22 @@ text() { # WHAT EXERCISE STUDENT FILE
     done
 }
 
-# Write the same lines with the student instead of the file.
+# Write the lines for marks.awk: those of the unsolved exercises, and then the answers, with the student instead of the
+# file.
 number=0
-while IFS=$'\t' read -r exercise file mark verdict picture right flags; do
+while IFS=$'\t' read -r exercise file mark verdict picture right difference results flags; do
+    if [ "$mark" = unsolved ]; then
+        printf '%s\t\t%s\t%s\t-\t-\t%s\n' "$exercise" "$mark" "$verdict" "$results" >>"$new/rows"
+        continue
+    fi
     if [ "$picture" != - ]; then
         number=$((number + 1))
         mv "$picture" "$new/marks/$number.png" && mv "$right" "$new/marks/$number.right.png" || exit 2
+        [ "$difference" = - ] || { mv "$difference" "$new/marks/$number.difference.png" && difference=$number; } || exit 2
         picture=$number
     fi
     student=$(student_of "$file")
-    printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$exercise" "$student" "$mark" "$verdict" "$picture" "$flags" >>"$new/named"
+    printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$exercise" "$student" "$mark" "$verdict" "$picture" "$difference" "$results" "$flags" >>"$new/named"
     text answer "$exercise" "$student" "$file" >>"$new/texts"
 done <"$new/judged" || exit 2
 {
@@ -160,11 +197,14 @@ for exercise in "${exercises[@]}"; do
     list=$new/marks/pictures/$exercise/wrong.txt
     [ ! -e "$list" ] || { echo "== $exercise" && cat "$list" && rm "$list"; } >>"$new/marks/wrong.txt" || exit 2
 done
-find "$new/marks/pictures" -depth -type d -empty -delete
+rm -rf "$new/marks/pictures"
 
+sort -t $'\t' -k 2,2 -k 1,1 "$new/like" >>"$new/rows" || exit 2
+[ -z "${STUDENTS-}" ] || printf '%s\n' "$students" >"$new/list" || exit 2
 marks() {
-    sort -t $'\t' -k 2,2 -k 1,1 "$new/like" | awk -F '\t' -v csv="$new/table" -v page="$new/marks/index.html" \
-        -v exercises="${exercises[*]}" -f .make/table.awk -f .make/marks.awk
+    awk -F '\t' -v csv="$new/table" -v page="$new/marks/index.html" -v summary="$new/marks/summary.txt" -v folder="$new/marks" \
+        -v exercises="${exercises[*]}" -v weights="$weights" -v style="${CSV_STYLE-}" -v list="${STUDENTS:+$new/list}" -v unknown="$new/unknown" \
+        -f .make/table.awk -f .make/marks.awk -f .make/summary.awk -f .make/feedback.awk "$new/rows"
 }
 write "$new/said" marks || exit 2
 for old in "$folder"/*.csv; do
@@ -172,5 +212,9 @@ for old in "$folder"/*.csv; do
 done
 keep marks && write "$table" cat "$new/table" || exit 2
 cat "$new/said"
-printf '%s\n' "The table is $(plain "$table"); the pictures are in $folder/index.html."
+if [ -s "$new/unknown" ]; then
+    report "STUDENTS=$STUDENTS: not in the list, or not alone with this name: $(paste -s -d , "$new/unknown" | sed 's/,/, /g'): correct the list or the names, because a platform may refuse the whole table"
+fi
+printf '%s\n' "The table is $(plain "$table"); the pictures are in $folder/index.html." \
+    "For you: $folder/summary.txt; for each student: $folder/feedback/."
 [ ! -e "$folder/wrong.txt" ] || beside "$folder/wrong.txt"

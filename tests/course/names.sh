@@ -84,7 +84,7 @@ for file in *.frag; do
 done
 gives 1 3 'make check of all these names' env EXERCISE=00_2 FILES='*.frag' .make/check.sh
 gives 0 3 'make marks of folders with these names' env EXERCISES=00_2 FILES='hand-in/*/*.frag' CSV=-marks.csv .make/marks.sh
-rows() { [ "$(wc -l <-marks.csv)" = 15 ] && grep -q "^\"'-n\",wrong" ./-marks.csv && grep -q "^\"'-e\",wrong" ./-marks.csv && ! grep '[[:cntrl:]]' ./-marks.csv; }
+rows() { [ "$(wc -l <-marks.csv)" = 15 ] && grep -q "^\"'-n\",0,wrong" ./-marks.csv && grep -q "^\"'-e\",0,wrong" ./-marks.csv && ! grep '[[:cntrl:]]' ./-marks.csv; }
 check 'every student has a row' rows
 in_folder() { (cd hand-in && for name in *; do mv "./$name" ..; done); }
 in_folder
