@@ -59,6 +59,21 @@ static bool find_pixels(struct renderer *renderer, const struct renderer_inputs 
     return true;
 }
 
+// The same for a shader without pixelRay: a handle of two components is a place on the screen, and
+// one of three is not seen.
+static void find_on_screen(const struct renderer_inputs *inputs, const struct handle *handle,
+                           int count, float (*point)[3], float (*pixel)[4])
+{
+    float half[2] = {0.5f * (float)inputs->width, 0.5f * (float)inputs->height};
+    for (int i = 0; i < count; i++) {
+        const struct parameter *parameter = handle[i / POINTS].parameter;
+        for (int k = 0; k < 2; k++)
+            pixel[i][k] = half[k] + half[1] * point[i][k];
+        pixel[i][2] = parameter->components == 2 && parameter->handle != HANDLE_XZ;
+        pixel[i][3] = 0.0f;
+    }
+}
+
 int handles_find(struct renderer *renderer, const struct renderer_inputs *inputs,
                  struct handle handle[HANDLES_MOST])
 {
@@ -79,7 +94,9 @@ int handles_find(struct renderer *renderer, const struct renderer_inputs *inputs
                 p[1 + k][c] = p[0][c] + offset[count] * at->axis[k][c];
         count++;
     }
-    if (count > 0 && !find_pixels(renderer, inputs, POINTS * count, point[0], pixel[0]))
+    if (renderer->fragment.dialect != DIALECT_COURSE)
+        find_on_screen(inputs, handle, POINTS * count, point, pixel);
+    else if (count > 0 && !find_pixels(renderer, inputs, POINTS * count, point[0], pixel[0]))
         return -1;
     for (int i = 0; i < count; i++) {
         const float(*q)[4] = (const float(*)[4]) & pixel[POINTS * i];

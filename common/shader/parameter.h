@@ -25,7 +25,8 @@
 //
 // The values may be in parentheses. Without a range, a handle has the range [-10, 10]. A vec2 lies
 // in the plane z = 0 or, after "xz", in the plane y = 0. A vec3 moves parallel to the screen or,
-// after "xy" or "xz", keeps the coordinate that is not named.
+// after "xy" or "xz", keeps the coordinate that is not named. In a shader with its own main, which
+// has no rays, a vec2 is a place on the screen, in halves of its height from the middle.
 //
 // If one unit is "hour of the day" and another "hours per second", the panel shows the hour of the
 // day.

@@ -83,6 +83,24 @@ TEST(a_handle_is_where_its_point_is)
     }
 }
 
+// A shader with its own main has no rays: its handles lie on the screen.
+TEST(without_rays_a_handle_is_a_place_on_the_screen)
+{
+    struct handle handle[HANDLES_MOST];
+    const struct renderer_inputs in = inputs();
+    assert_true(gpu_load_text("#version 330 core\nin vec2 FragCoord;\nout vec4 FragColor;\n"
+                              "uniform vec2 place; // (0.5, -0.25) handle half screen heights: it\n"
+                              "uniform vec3 ball; // (0, 0, 1) handle units: not on the screen\n"
+                              "void main() { FragColor = vec4(place, ball.x, 1.0); }\n"));
+    assert_int_equal(handles_find(&gpu.renderer, &in, handle), 2);
+    assert_true(handle[0].seen && !handle[1].seen);
+    assert_true(fabsf(handle[0].pixel[0] - 205.0f) < 1e-3f);
+    assert_true(fabsf(handle[0].pixel[1] - 67.5f) < 1e-3f);
+    assert_true(handles_drag(&gpu.renderer, &in, handle, 0, (const double[]){100.0, 150.0}));
+    assert_true(fabs(handle[0].parameter->value[0] + 0.667) < 1e-9);
+    assert_true(fabs(handle[0].parameter->value[1] - 0.667) < 1e-9);
+}
+
 // Each handle in front of the camera is dragged to three distant pixels. The coordinate that is
 // constant in a handle's plane does not change.
 TEST(a_handle_follows_a_pointer)

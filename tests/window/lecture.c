@@ -193,7 +193,7 @@ SESSION_TEST(digits_with_shift_show_the_parts)
 // only in values need no new programs.
 SESSION_TEST(the_next_scene_is_compiled_ahead)
 {
-    open_text("01 " STILL "\n01 " STILL " --set focalLength=1.5\n03 --time 0\n00\n");
+    open_text("01 " STILL "\n01 " STILL " --set focalLength=1.5\n03 --samples 1 --time 0\n00\n");
     int ahead = user.links;
     on();
     on();
@@ -378,13 +378,13 @@ SESSION_TEST(two_keys_are_enough_for_the_lecture)
     assert_in_range(presses, 30, 60);
     key(GLFW_KEY_ESCAPE, 0);
     key(GLFW_KEY_R, 0);
-    assert_scene("07_repetition", "--set period=3.5 --time 0");
+    assert_scene("07_repetition", "--samples 2 --set period=3.5 --time 0");
     while (strstr(user.title, "timeOfDay = 17") == NULL && presses-- > -5)
         back();
     assert_in_range(presses, 0, 5); // a scene with a ray takes more than one press
     key(GLFW_KEY_ESCAPE, 0);
     key(GLFW_KEY_R, 0);
-    assert_scene("09_sky_and_sunset", "--set timeOfDay=17 --time 0");
+    assert_scene("09_sky_and_sunset", "--samples 2 --set timeOfDay=17 --time 0");
     assert_string_equal(capture_end(), "");
     close_list();
 }
