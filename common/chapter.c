@@ -17,12 +17,12 @@ static int print_shader(struct run *run)
     const struct options *options = &run->options;
     struct shader_source *source = &run->picture[0].source;
     char *text = NULL;
-    if ((options->shadertoy || options->page) && dialects.export_shadertoy == NULL)
+    if ((options->shadertoy || options->page) && dialects.export_file == NULL)
         report("--print-shader=%s: this program was built without common/dialects/",
                options->page ? "page" : "shadertoy");
     else if (options->shadertoy || options->page)
-        text = (options->page ? dialects.export_page : dialects.export_shadertoy)(
-            source, &run->picture[0].parameters, &options->camera, RENDERER_FOCAL_LENGTH);
+        text = dialects.export_file(source, &run->picture[0].parameters, &options->camera,
+                                    RENDERER_FOCAL_LENGTH, options->page);
     else if (shader_has_view(source, options->view))
         text = shader_text(source, options->view);
     if (text == NULL)

@@ -232,5 +232,4 @@ const struct dialects dialects = {.unpack = unpack,
                                   .explain = explain,
                                   .with_floats = translate_floats,
                                   .accept = accept,
-                                  .export_shadertoy = export_shadertoy,
-                                  .export_page = export_page};
+                                  .export_file = export_file};

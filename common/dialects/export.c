@@ -326,27 +326,26 @@ static const char *picture_of(const void *pictures, int i)
     return p->source->files[p->samplers->item[i].file];
 }
 
-// Prepare an export.
-static struct export begin(struct shader_source *source, const struct parameters *parameters,
-                           const struct camera *camera, float focal_length, bool page)
+char *export_file(struct shader_source *source, const struct parameters *parameters,
+                  const struct camera *camera, float focal_length, bool page)
 {
-    return (struct export){.source = source,
-                           .parameters = parameters,
-                           .basis = camera_basis_of(camera),
-                           .camera = camera,
-                           .focal_length = focal_length,
-                           .code = &source->code,
-                           .writes = shader_includes(source, "shaders/figure.glsl"),
-                           .page = page};
-}
-
-char *export_shadertoy(struct shader_source *source, const struct parameters *parameters,
-                       const struct camera *camera, float focal_length)
-{
-    struct export e = begin(source, parameters, camera, focal_length, false);
+    bool course = source->dialect == DIALECT_COURSE, done = true;
+    struct export e = {.source = source,
+                       .parameters = parameters,
+                       .basis = camera_basis_of(camera),
+                       .camera = camera,
+                       .focal_length = focal_length,
+                       .code = &source->code,
+                       .writes = shader_includes(source, "shaders/figure.glsl"),
+                       .page = page};
     char *text;
-    bool done = true;
-    if (source->dialect == DIALECT_COURSE && parameters->samplers.count > 0) {
+    if (page && !course) {
+        report("%s: --print-shader=page prints shaders of the course only: use "
+               "--print-shader=shadertoy",
+               source->files[0]);
+        return NULL;
+    }
+    if (!page && course && parameters->samplers.count > 0) {
         const struct pictures pictures = {source, &parameters->samplers};
         text = memory_list(parameters->samplers.count, picture_of, &pictures);
         report("%s: reads %s: Shadertoy accepts no files: leave out =shadertoy to print "
@@ -356,7 +355,7 @@ char *export_shadertoy(struct shader_source *source, const struct parameters *pa
         return NULL;
     }
     e.text = memory_open(&text);
-    if (source->dialect == DIALECT_COURSE)
+    if (course)
         put_course(&e);
     else
         done = put_foreign(&e);
@@ -365,21 +364,4 @@ char *export_shadertoy(struct shader_source *source, const struct parameters *pa
         return text;
     free(text);
     return NULL;
-}
-
-char *export_page(struct shader_source *source, const struct parameters *parameters,
-                  const struct camera *camera, float focal_length)
-{
-    struct export e = begin(source, parameters, camera, focal_length, true);
-    char *text;
-    if (source->dialect != DIALECT_COURSE) {
-        report("%s: --print-shader=page prints shaders of the course only: use "
-               "--print-shader=shadertoy",
-               source->files[0]);
-        return NULL;
-    }
-    e.text = memory_open(&text);
-    put_course(&e);
-    memory_close(e.text);
-    return text;
 }

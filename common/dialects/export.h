@@ -6,12 +6,8 @@
 #include "shader/parameter.h"
 #include "shader/source.h"
 
-// The member export_shadertoy of struct dialects.
-char *export_shadertoy(struct shader_source *source, const struct parameters *parameters,
-                       const struct camera *camera, float focal_length);
-
-// The member export_page of struct dialects.
-char *export_page(struct shader_source *source, const struct parameters *parameters,
-                  const struct camera *camera, float focal_length);
+// The member export_file of struct dialects.
+char *export_file(struct shader_source *source, const struct parameters *parameters,
+                  const struct camera *camera, float focal_length, bool page);
 
 #endif

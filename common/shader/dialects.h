@@ -50,25 +50,21 @@ struct dialects {
     // output, or gives it no value.
     bool (*accept)(struct shader_source *source, const struct gl *gl, GLuint program);
 
-    // Write a shader in Shadertoy's dialect, as one file.
-    //   parameters    of the source; their current values become constants
+    // Write a shader as one file, in Shadertoy's dialect or for a page that calls its mainImage.
+    //   parameters    of the source; on Shadertoy, their current values become constants
     //   camera        becomes constants too, because Shadertoy has no camera
     //   focal_length  the value of the input for the focal length in dialects other than the
     //   course's
+    //   page          for a page: only for a course shader, whose parameters and textures remain
+    //                 uniforms, with the comments that describe them; the page provides the digits
+    //                 of shaders/signs.glsl
     // A course file loses the parts that only the views and the probe need, and its main becomes
     // mainImage. In a file in another dialect, the output, the parameters and the inputs that
     // Shadertoy lacks become variables, which a new mainImage sets and reads; a file that needs
     // none of this gets no new mainImage. Returns memory that the caller frees, or NULL after
     // reporting the error.
-    char *(*export_shadertoy)(struct shader_source *source, const struct parameters *parameters,
-                              const struct camera *camera, float focal_length);
-
-    // Write a course shader for a page that calls its mainImage. Unlike on Shadertoy, the
-    // parameters and the textures remain uniforms, with the comments that describe them, and the
-    // page provides the digits of shaders/signs.glsl. Only the camera is constant. Returns memory
-    // that the caller frees, or NULL after reporting that the shader is in another dialect.
-    char *(*export_page)(struct shader_source *source, const struct parameters *parameters,
-                         const struct camera *camera, float focal_length);
+    char *(*export_file)(struct shader_source *source, const struct parameters *parameters,
+                         const struct camera *camera, float focal_length, bool page);
 };
 
 // Defined in common/dialects/dialects.c.

@@ -169,7 +169,7 @@ static void carry_on(struct shader_source *source)
     if (!done)
         return;
     capture_begin();
-    char *text = export_shadertoy(source, &parameters, &camera, 1.5f);
+    char *text = export_file(source, &parameters, &camera, 1.5f, false);
     promise_report(text != NULL);
     free(text);
     parameters_free(&parameters);

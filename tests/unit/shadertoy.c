@@ -34,7 +34,7 @@ TEST(test_the_export_makes_the_camera_and_parameters_constant)
     struct camera camera = {.pan = 90.0f};
     read_shader(&source, &parameters, "");
     assert_true(parameters_assign(&parameters, "size=2,0.25"));
-    char *text = export_shadertoy(&source, &parameters, &camera, 1.5f);
+    char *text = export_file(&source, &parameters, &camera, 1.5f, false);
     assert_non_null(text);
     assert_null(strstr(text, "void main()"));
     assert_null(strstr(text, "iResolution;"));
@@ -64,8 +64,8 @@ TEST(test_the_export_for_a_page_keeps_parameters_and_textures)
     read_shader(&source, &parameters,
                 "uniform sampler2D stone; // \"stone.png\" sRGB repeat: granite\n"
                 "#ifdef SHADERTOY\nint toy;\n#endif\n");
-    assert_null(export_shadertoy(&source, &parameters, &camera, 1.5f));
-    char *text = export_page(&source, &parameters, &camera, 1.5f);
+    assert_null(export_file(&source, &parameters, &camera, 1.5f, false));
+    char *text = export_file(&source, &parameters, &camera, 1.5f, true);
     assert_non_null(text);
     assert_null(strstr(text, "iResolution;"));
     assert_null(strstr(text, "#define SHADERTOY"));
@@ -92,7 +92,7 @@ TEST(test_the_export_for_a_page_refuses_other_dialects)
     struct parameters parameters;
     assert_true(shader_read(&source, path, scratch_path("root")));
     assert_true(parameters_read(&parameters, &source));
-    assert_null(export_page(&source, &parameters, &(struct camera){0}, 1.5f));
+    assert_null(export_file(&source, &parameters, &(struct camera){0}, 1.5f, true));
     parameters_free(&parameters);
     shader_free(&source);
 }
