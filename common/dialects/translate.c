@@ -76,8 +76,6 @@ static char *driver_prelude(const struct translation *t, const char *inputs, con
 static void write_text(struct translation *t, const char *begin, char **body)
 {
     const struct glsl_token *main = glsl_find_definition(t->code, t->toy ? "mainImage" : "main");
-    if (!t->exported)
-        translate_zeros(t->code, &t->edits, t->old);
     if (main != NULL && begin[0] != '\0')
         edits_add(&t->edits, glsl_next(t->code, main + 1)->begin + 1, 0, "%s", begin);
     char *text = edits_apply(&t->edits, t->source->text);
@@ -103,6 +101,10 @@ bool translate(struct shader_source *source, enum translate_target target, char 
         translation_undeclared(&t);
         t.wraps = t.exported && must_wrap(&t);
         translation_words(&t);
+        if (!t.exported && t.old)
+            fputs("harnessColour=vec4(0);", t.begin);
+        if (!t.exported)
+            translate_zeros(t.code, &t.edits, t.begin);
     }
     memory_close(t.begin);
     memory_close(t.inputs);

@@ -11,6 +11,8 @@
 #ifndef DIALECTS_TRANSLATE_H
 #define DIALECTS_TRANSLATE_H
 
+#include <stdio.h>
+
 #include "dialects/declared.h"
 #include "shader/source.h"
 
@@ -31,10 +33,10 @@ bool translate(struct shader_source *source, enum translate_target target, char 
 // d=float(0), t = 1.0;". Arrays and structures are initialised too, if their parts can be counted
 // and are not too many. So are out parameters, and a function that returns a value on some paths
 // returns 0 on the others. A declaration is left unchanged if a directive divides it, or if its
-// type, name or size is a macro. The outputs of a whole shader are set to 0 at the beginning of
-// main, unless the text mentions main more than once.
-//   old  the output is harnessColour, which replaces gl_FragColor or gl_FragData
-void translate_zeros(const struct glsl *code, struct edits *edits, bool old);
+// type, name or size is a macro.
+//   begin  receives the statements that set the outputs of a whole shader to 0, for the beginning
+//          of main
+void translate_zeros(const struct glsl *code, struct edits *edits, FILE *begin);
 
 // Add a decimal point to integers in expressions with floats, because desktop GLSL converts them
 // and WebGL does not: "x < 0 ? -1 : 1" becomes "x < 0. ? -1. : 1.". A number in an expression with

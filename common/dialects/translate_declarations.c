@@ -63,15 +63,11 @@ static int free_channel(const struct translation *t)
 static bool add_sampler(struct translation *t, const char *name, const struct input *input,
                         int line)
 {
-    struct shader_source *source = t->source;
+    const char *type = input != NULL ? tool_inputs_sampler(t->source, input) : "sampler2D";
     int channel = input != NULL ? input->channel : free_channel(t);
-    const char *type = input != NULL ? tool_inputs_sampler(source, input) : "sampler2D";
-    inputs_add_sampler(source, (struct shader_sampler){name, type, channel, line});
-    for (int i = 0; i < source->sampler_count; i++)
-        channel =
-            strcmp(source->samplers[i].name, name) == 0 ? source->samplers[i].channel : channel;
+    channel = inputs_add_sampler(t->source, (struct shader_sampler){name, type, channel, line});
     return channel >= 0 || !t->exported ||
-           shader_refuse(source, line, "%s: a fifth picture: Shadertoy has four channels", name);
+           shader_refuse(t->source, line, "%s: a fifth picture: Shadertoy has four channels", name);
 }
 
 // Add the samplers whose sizes an input tells.

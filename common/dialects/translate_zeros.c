@@ -1,6 +1,5 @@
 #include "dialects/translate.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -123,13 +122,10 @@ static void zero_function(const struct zeros *all, const struct glsl_token *brac
         edits_add(all->edits, end->begin, 0, "return %s;", text);
 }
 
-void translate_zeros(const struct glsl *code, struct edits *edits, bool old)
+void translate_zeros(const struct glsl *code, struct edits *edits, FILE *begin)
 {
     struct zeros all = {code, edits, memory_zeros((size_t)code->name_count, sizeof(char *))};
     const struct glsl_token *main = glsl_find_definition(code, "main");
-    if (glsl_mentions(code, "main") != 1)
-        main = NULL;
-    int begin = main != NULL ? glsl_next(code, main + 1)->begin + 1 : 0;
     for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++)
         if (glsl_is(t, "struct") && is_plain(t + 1) && t[2].sign == '{')
             learn(&all, t + 1);
@@ -137,15 +133,13 @@ void translate_zeros(const struct glsl *code, struct edits *edits, bool old)
             zero_function(&all, t);
     struct declared at = {.code = code};
     char text[VALUE_SIZE];
-    if (old && main != NULL)
-        edits_add(edits, begin, 0, "harnessColour=vec4(0);");
     while (declared_next(&at))
         if (at.kind == DECLARED_VARIABLE)
             zero_variable(&all, &at);
         else if (at.kind == DECLARED_OUT && main != NULL && at.name < main && at.name->certain &&
                  is_plain(at.name) && glsl_is_sign(at.name + 1, ",;") &&
                  zero_of(&all, at.type, at.name + 1, text))
-            edits_add(edits, begin, 0, "%s=%s;", at.word, text);
+            fprintf(begin, "%s=%s;", at.word, text);
     for (int i = 0; i < code->name_count; i++)
         free(all.structure[i]);
     free(all.structure);

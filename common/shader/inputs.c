@@ -61,14 +61,15 @@ void inputs_add(struct shader_source *source, struct shader_input input)
     source->inputs[source->input_count++] = input;
 }
 
-void inputs_add_sampler(struct shader_source *source, struct shader_sampler sampler)
+int inputs_add_sampler(struct shader_source *source, struct shader_sampler sampler)
 {
     int count = source->sampler_count;
     for (int i = 0; i < count; i++)
         if (strcmp(source->samplers[i].name, sampler.name) == 0)
-            return;
+            return source->samplers[i].channel;
     source->samplers = memory_row(source->samplers, count, sizeof *source->samplers);
     source->samplers[source->sampler_count++] = sampler;
+    return sampler.channel;
 }
 
 bool inputs_reads(const struct gl *gl, GLuint program, const struct shader_source *source,

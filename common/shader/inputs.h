@@ -82,8 +82,9 @@ struct shader_input inputs_default(const struct input *input);
 // Add an input to those that a source reads, unless it is already among them.
 void inputs_add(struct shader_source *source, struct shader_input input);
 
-// Add a sampler to those that a source reads, unless it is already among them.
-void inputs_add_sampler(struct shader_source *source, struct shader_sampler sampler);
+// Add a sampler to those that a source reads, unless it is already among them. Returns the channel
+// that it has there.
+int inputs_add_sampler(struct shader_source *source, struct shader_sampler sampler);
 
 // True if a linked program of a source reads an input with a meaning from first to last. The linker
 // keeps only the uniforms that are used.
