@@ -89,17 +89,22 @@ static char *string(const char *c)
 
 // ---- Shadertoy and GLSL Sandbox ----
 
+// The text of a shader in a string, with an end of its last line. The caller frees it.
+static char *shader_of(const char *c)
+{
+    char *code = string(c), *text = memory_text("%s\n", code);
+    free(code);
+    return text;
+}
+
 // Take the text of a pass into part, the common one first, and what the image pass reads in each
 // channel.
 static void read_pass(struct shader_source *source, char *part[2], const char *pass)
 {
     char *type = string(member(pass, "type"));
     bool image = strcmp(type, "image") == 0 && part[1] == NULL;
-    if (image || (strcmp(type, "common") == 0 && part[0] == NULL)) {
-        char *code = string(member(pass, "code"));
-        part[image] = memory_text("%s\n", code);
-        free(code);
-    }
+    if (image || (strcmp(type, "common") == 0 && part[0] == NULL))
+        part[image] = shader_of(member(pass, "code"));
     free(type);
     const char *c = image ? first_value(member(pass, "inputs")) : NULL;
     for (; c != NULL; c = next_value(c)) {
@@ -119,7 +124,7 @@ static bool unpack_json(struct shader_source *source, const char *root, char *pa
     for (const char *pass = first_value(row); pass != NULL; pass = next_value(pass))
         read_pass(source, part, pass);
     if (row == NULL && code != NULL) // an item of GLSL Sandbox
-        part[1] = string(code);
+        part[1] = shader_of(code);
     if (part[0] == NULL)
         part[0] = memory_text("%s", "");
     return part[1] != NULL ||
