@@ -54,7 +54,7 @@ static void assert_refused(const char *why, int red, int green)
     session_keep(0);
     assert_int_equal(reloads(""), 0);
     assert_non_null(strstr(said[1], why));
-    session_assert_title("error: see terminal");
+    session_assert_title(" - error - ");
     assert_colour(red, green);
     assert_true(session_off(0, NULL) > 0.02);
     assert_int_equal(reloads(""), 0);
@@ -171,7 +171,7 @@ SESSION_TEST(each_of_two_files_is_loaded)
     assert_colour(0, 102);
     save("second.frag", "", "undeclared");
     assert_int_equal(reloads("second.frag"), 0);
-    session_assert_title("error: see terminal");
+    session_assert_title(" - error - ");
     assert_colour(0, 102);
     assert_non_null(strstr(said[1], "second.frag:7"));
     save("first.frag", "", "vec3(0.6, 0.0, 0.0)");

@@ -170,7 +170,7 @@ cp chapters/first_steps/play.frag "$mine"
 check 'play.bat shows a file whose name has a blank and an accent' play 'ma réponse.frag' "$(windows_path "$mine")"
 build/01_normal_colouring --shader chapters/first_steps/play.frag -s 960x540 -o "$scratch/right.png" >/dev/null
 sed 's/sdSphere(p, radius)/sdSphere(p, radios)/' chapters/first_steps/play.frag >"$mine"
-says_error() { eventually has_words 'réponse.frag:[0-9]*: error.*radios' && eventually searched 'réponse.frag - error: see terminal'; }
+says_error() { eventually has_words 'réponse.frag:[0-9]*: error.*radios' && eventually searched 'réponse.frag - error'; }
 check 'play.bat reports an error in a saved file' says_error
 cp chapters/first_steps/play.frag "$mine"
 # Beside the panel, the sharpened picture equals the one that this machine draws.
