@@ -6,6 +6,7 @@
 
 #include "memory.h"
 #include "report.h"
+#include "window/watch.h"
 
 struct scene {
     int line;                      // its line number in the list
@@ -32,6 +33,7 @@ struct lecture {
     int at;                   // the scene that the speaker has reached
     int shown;                // the scene that is shown; differs from at if scene[at] has failed
     int tried;                // the last scene that compile_ahead has tried to compile
+    struct watch failed;      // the files of scene[at], if it has failed
     struct contents contents; // of a course; its items are owned
 };
 
@@ -263,14 +265,24 @@ static void move_renderers(struct scene *from, struct scene *to)
     }
 }
 
+static void watch_file(void *watch, const char *path)
+{
+    watch_add(watch, path);
+}
+
 // Read a scene's shaders again, set its values, and compile what has changed. Returns false after
 // reporting the error with the scene's line; then all renderers draw what they drew before.
 static bool compile(struct lecture *lecture, struct scene *scene)
 {
+    struct shader_request request = {0};
+    if (scene - lecture->scene == lecture->at) {
+        request.visit = watch_file;
+        request.to = &lecture->failed;
+    }
     begin_line(lecture, scene->line);
     // A scene that is not shown must not add its files to those that the window watches.
     for (int i = 0; i < 2 && scene - lecture->scene != lecture->shown; i++)
-        scene->run.picture[i].request = (struct shader_request){0};
+        scene->run.picture[i].request = request;
     bool done =
         run_read_shaders(&scene->run) == RUN_DONE && run_compile(&scene->run, &lecture->context.gl);
     report_location(NULL);
@@ -336,6 +348,7 @@ static void compile_ahead(struct lecture *lecture)
 static bool show(struct lecture *lecture, bool at_last)
 {
     struct scene *scene = &lecture->scene[lecture->at];
+    watch_clear(&lecture->failed);
     if (!compile_with(lecture, scene))
         return false;
     scene->start = run_window_start(&scene->run);
@@ -392,7 +405,8 @@ void lecture_follow(void *of)
     int part, scene, scenes = window_asked(lecture->window, &part, &scene);
     int to = part > 0 ? first_of(lecture, part) : scene > 0 ? scene - 1 : lecture->at + scenes;
     to = to < 0 ? 0 : to >= lecture->count ? lecture->count - 1 : to;
-    if (part > 0 || to != lecture->at) {
+    bool mended = lecture->at != lecture->shown && watch_look(&lecture->failed);
+    if (part > 0 || to != lecture->at || mended) {
         lecture->at = to;
         if (!show(lecture, part == 0 && scenes < 0))
             window_warn(lecture->window, report_last());
@@ -413,6 +427,7 @@ void lecture_close(struct lecture *lecture)
         free(lecture->contents.item[i].picture);
     free((void *)lecture->contents.item);
     context_close(&lecture->context);
+    watch_clear(&lecture->failed);
     free(lecture->scene);
     free(lecture->part);
     free(lecture->text);

@@ -56,7 +56,8 @@ struct window *lecture_window(const struct lecture *lecture);
 
 // Call this after each iteration of the window's main loop. It shows the scene that the speaker has
 // asked for or, if the iteration drew nothing, compiles the next scene. If a scene cannot be shown,
-// the error is reported, in the window too, and the current scene stays.
+// the error is reported, in the window too, and the current scene stays until one of the files of
+// the other has been changed and can be shown, or until another scene is asked for.
 //   of  the lecture, a struct lecture *
 void lecture_follow(void *of);
 

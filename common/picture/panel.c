@@ -63,7 +63,7 @@ static float write_error(const struct panel *panel, struct overlay *overlay, flo
                           : words == panel->note ? "This key does nothing here"
                           : panel->broken
                               ? "Error: the last good picture stays until the next good save"
-                              : "This view cannot be shown";
+                              : "This cannot be shown";
     char line[OVERLAY_TEXT + 1];
     float limit = widest_text(overlay), height = error_height(panel, overlay);
     float top = bottom - height;

@@ -249,6 +249,9 @@ SESSION_TEST(a_shader_that_is_saved_during_the_lecture_is_shown)
     capture_begin();
     back();
     assert_non_null(strstr(capture_end(), "undeclared"));
+    save("0.8");
+    turns(60); // the mended scene appears
+    assert_int_equal(grey(), 204);
     back();
     assert_scene(stems[1], STILL);
     close_list();
