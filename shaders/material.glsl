@@ -6,8 +6,8 @@
 // How a surface reflects light.
 struct Material {
     vec3  colour;    // share of the light that enters and returns in all directions, linear RGB, in [0, 1]
-    vec3  straight;  // share that the surface reflects at normal incidence, in [0, 1]: 0.04 for glaze, wax and
-                     // skin; for a metal, its colour
+    vec3  straight;  // share that the surface reflects at normal incidence, in [0, 1]: 0.03 to 0.06 for cloth,
+                     // skin, wax and glaze; for a metal, its colour
     float roughness; // in [0, 1]: 0 a mirror, 1 fully matt; as in gloss.glsl
 };
 
