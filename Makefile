@@ -34,7 +34,7 @@ SANITIZE =
 FUZZER =
 # The input and output of awk, sort and gcc must not depend on the user's language.
 export LC_ALL = C
-export CHAPTER FIGURE LIST SUITE COUNT SEED NAME EXERCISE EXERCISES CSV CSV_STYLE STUDENTS IDENTIFIER WEIGHTS FILE FILES PICTURES FORCE FRAMES FPS VIEW ROUNDS WRITE ADDRESS DURATION SECONDS PROGRAM
+export CHAPTER FIGURE LIST NOTES SUITE COUNT SEED NAME EXERCISE EXERCISES CSV CSV_STYLE STUDENTS IDENTIFIER WEIGHTS FILE FILES PICTURES FORCE FRAMES FPS VIEW ROUNDS WRITE ADDRESS DURATION SECONDS PROGRAM
 
 # Recursive makes run in parallel, unless the caller has chosen the number of jobs.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -335,7 +335,7 @@ bake: ready ## show a mesh of your own in chapter 23: make bake MESH=my.obj comp
 	+@$(AGAIN) $(BUILD)/shaders/textures/clay$(EXE)
 	@.make/bake.sh $(OPTIONS)
 
-lecture: ready ## show the scenes of docs/lecture.txt, or of your own list, full screen: make lecture LIST=my.txt
+lecture: ready ## show the scenes of docs/lecture.txt, or of your own list, full screen: make lecture LIST=my.txt; with NOTES=terminal, your sentences are only printed
 	+@$(AGAIN) lecture_program
 	@.make/lecture.sh
 

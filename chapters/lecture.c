@@ -3,8 +3,9 @@
 //   build/lecture docs/lecture.txt
 //   build/lecture --course 03
 //
-// With --course, it shows all chapters, beginning with the one that is named. With --print, it
-// prints the scenes of a list instead.
+// With --notes, the sentences for the speaker are only printed, each with the next one. With
+// --course, it shows all chapters, beginning with the one that is named. With --print, it prints
+// the scenes of a list instead.
 #include "../common/chapter.h"
 
 #include <stdio.h>
@@ -34,8 +35,10 @@ int main(int argc, char **argv)
     struct lecture *lecture;
     bool course = argc > 1 && argc < 4 && strcmp(argv[1], "--course") == 0;
     bool prints = argc == 3 && strcmp(argv[1], "--print") == 0;
-    if (argc != 2 && !prints && !course) {
-        report("%s: usage: %s [--print] LIST, as in %s docs/lecture.txt, or %s --course [CHAPTER]",
+    bool notes = argc == 3 && strcmp(argv[1], "--notes") == 0;
+    if (argc != 2 && !prints && !notes && !course) {
+        report("%s: usage: %s [--print | --notes] LIST, as in %s docs/lecture.txt, or %s --course "
+               "[CHAPTER]",
                argv[0], argv[0], argv[0], argv[0]);
         return RUN_WRONG_COMMAND_LINE;
     }
@@ -47,7 +50,7 @@ int main(int argc, char **argv)
     if (status == RUN_DONE && prints)
         lecture_print(lecture);
     else if (status == RUN_DONE)
-        status = lecture_open(lecture);
+        status = lecture_open(lecture, notes);
     if (status == RUN_DONE && !prints &&
         !window_run(lecture_window(lecture), lecture_follow, lecture))
         status = RUN_NOT_DONE;

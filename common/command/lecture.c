@@ -30,6 +30,7 @@ struct lecture {
     int parts;
     struct context context;
     struct window *window;    // NULL until it is open
+    bool notes;               // the sentences are only printed
     int at;                   // the scene that the speaker has reached
     int shown;                // the scene that is shown; differs from at if scene[at] has failed
     int tried;                // the last scene that compile_ahead has tried to compile
@@ -344,6 +345,15 @@ static void compile_ahead(struct lecture *lecture)
 
 // ---- The window ----
 
+// Print a scene's sentence for the speaker and, for notes, the next one.
+static void print_sentence(const struct lecture *lecture, const struct scene *scene)
+{
+    printf("%s\n", scene->caption != NULL ? scene->caption : scene->start.title);
+    if (lecture->notes)
+        printf("   then %s\n\n", lecture->at + 1 < lecture->count ? scene[1].caption : "the end");
+    fflush(stdout);
+}
+
 // Show the scene that the speaker has reached. Returns false after reporting the error.
 static bool show(struct lecture *lecture, bool at_last)
 {
@@ -352,15 +362,14 @@ static bool show(struct lecture *lecture, bool at_last)
     if (!compile_with(lecture, scene))
         return false;
     scene->start = run_window_start(&scene->run);
-    scene->start.caption = scene->caption;
+    scene->start.caption = lecture->notes ? "" : scene->caption;
     scene->start.scene = lecture->at;
     if (lecture->contents.count > 0)
         scene->start.contents = &lecture->contents;
     scene->start.paused |= scene->run.options.has_time;
     if (scene->run.options.setting_count > 0)
         scene->start.selected = scene->run.options.settings[0];
-    printf("%s\n", scene->caption != NULL ? scene->caption : scene->start.title);
-    fflush(stdout);
+    print_sentence(lecture, scene);
     lecture->shown = lecture->at;
     if (lecture->window != NULL)
         window_show(lecture->window, &scene->start, at_last);
@@ -368,8 +377,9 @@ static bool show(struct lecture *lecture, bool at_last)
     return true;
 }
 
-int lecture_open(struct lecture *lecture)
+int lecture_open(struct lecture *lecture, bool notes)
 {
+    lecture->notes = notes;
     struct run *first = &lecture->scene[lecture->at].run;
     const struct options *options = &first->options;
     if (!context_open_window(&lecture->context, options->backend, first->title, options->width,

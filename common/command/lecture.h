@@ -47,9 +47,11 @@ int lecture_course(struct lecture **lecture, const char *first,
 // part, stem, the scene's options and its sentence, separated by the character with code 31.
 void lecture_print(const struct lecture *lecture);
 
-// Show the first scene: a lecture fills the screen, and the course opens a window. Returns the exit
-// status so far, which is RUN_NO_WINDOW if no window can be opened.
-int lecture_open(struct lecture *lecture);
+// Show the first scene: a lecture fills the screen, and the course opens a window. Each scene's
+// sentence is shown in the window and printed.
+//   notes  the sentences are only printed, each with the one that follows
+// Returns the exit status so far, which is RUN_NO_WINDOW if no window can be opened.
+int lecture_open(struct lecture *lecture, bool notes);
 
 // The window of the lecture, whose loop the caller runs; NULL before the lecture is open.
 struct window *lecture_window(const struct lecture *lecture);

@@ -173,8 +173,8 @@ static bool complete(struct options *options)
     if (options->benchmark > 0 && (options->output != NULL || options->probe_count > 0))
         report("--benchmark: cannot be combined with --%s",
                options->output != NULL ? "output" : "probe");
-    else if (options->has_divider && !options->compares)
-        report("--divider: requires --compare");
+    else if ((options->has_divider || options->labels != NULL) && !options->compares)
+        report("--%s: requires --compare", options->has_divider ? "divider" : "labels");
     else if (options->compares && options->compare == NULL &&
              options->shared_settings == options->setting_count)
         report("--compare: requires a shader's FILE, or --set NAME=VALUE after it");

@@ -44,6 +44,7 @@ struct options {
     int setting_count;
     const char *compare;   // the second shader's file; NULL if both pictures use the first
     int shared_settings;   // the number of settings before --compare, which apply to both pictures
+    const char *labels;    // names of both pictures, with a comma between them; NULL if not given
     double divider;        // fraction of the width that the first picture fills, 0 to 1
     const char **textures; // NAME=FILE, in the order given; owned
     int texture_count;

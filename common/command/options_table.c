@@ -99,6 +99,13 @@ static bool set_compare(struct options *options, const char *text)
     return text == NULL || text[0] != '\0' || refuse("compare", text, "must name a file");
 }
 
+static bool set_labels(struct options *options, const char *text)
+{
+    options->labels = text;
+    return strchr(text, ',') != NULL ||
+           refuse("labels", text, "must be two names with a comma between them, as in wrong,right");
+}
+
 static bool set_divider(struct options *options, const char *text)
 {
     options->has_divider = true;
@@ -322,6 +329,8 @@ const struct options_row options_rows[] = {
      "second shader beside the first; a later --set applies to it", ""},
     {"", "divider", " FRACTION", set_divider, OPTIONS_RUN,
      "where the second picture of --compare begins, 0 to 1", "0.5"},
+    {"", "labels", " LEFT,RIGHT", set_labels, OPTIONS_RUN, "names for the pictures of --compare",
+     "the files' names"},
     {"", "root", " DIR", set_root, OPTIONS_RUN, "the project's folder",
      "found from the program's folder"},
     {"", "frames", " N|K-L", set_frames, OPTIONS_RUN,

@@ -27,8 +27,9 @@ bool run_parse(struct run *run, const char *stem, const char *title, const struc
     if (!run->options.has_camera)
         run->options.camera = *camera;
     run->stem = stem;
-    report_clean(run->title, sizeof run->title,
-                 run->options.shader != NULL ? name_of(run->options.shader) : title);
+    const struct options *options = &run->options;
+    bool named = options->shader != NULL && options->labels == NULL;
+    report_clean(run->title, sizeof run->title, named ? name_of(options->shader) : title);
     return true;
 }
 
@@ -162,6 +163,17 @@ bool run_begin(struct run *run, const struct gl *gl)
     return true;
 }
 
+// Take the names of both pictures from --labels.
+static void split_labels(struct run *run)
+{
+    const char *text = run->options.labels;
+    size_t left = strcspn(text, ",");
+    snprintf(run->label[0], sizeof run->label[0], "%.*s", (int)left, text);
+    snprintf(run->label[1], sizeof run->label[1], "%s", text + left + 1);
+    for (int i = 0; i < 2; i++)
+        run->comparison.label[i] = run->label[i];
+}
+
 bool run_compile(struct run *run, const struct gl *gl)
 {
     const struct options *options = &run->options;
@@ -185,8 +197,11 @@ bool run_compile(struct run *run, const struct gl *gl)
                             .own = options->settings + options->shared_settings,
                             .own_count = options->setting_count - options->shared_settings,
                             .gripped = options->window};
-    for (int i = 0; i < 2 && options->compare != NULL; i++)
-        run->comparison.label[i] = name_of(run->picture[i].path);
+    if (options->labels != NULL)
+        split_labels(run);
+    else if (options->compare != NULL)
+        for (int i = 0; i < 2; i++)
+            run->comparison.label[i] = name_of(run->picture[i].path);
     first->comparison = &run->comparison;
     comparison_follow(first);
     return true;

@@ -19,12 +19,14 @@ enum { RUN_DONE = 0, RUN_NOT_DONE = 1, RUN_WRONG_COMMAND_LINE = 2, RUN_NO_WINDOW
 struct run {
     const char *stem;                  // the chapter's stem
     const struct sculpture_tool *tool; // the chapter's tool; NULL if it has none
-    char title[256]; // the chapter's title, or the clean name of the file given with --shader
+    // The chapter's title or, with --shader and without --labels, the clean name of the file.
+    char title[256];
     struct options options;
     char root[PLATFORM_PATH];     // the project's folder
     char shader[PLATFORM_PATH];   // the path of the shader to run
     struct loader picture[2];     // the second picture exists only with --compare
     struct comparison comparison; // of the two pictures
+    char label[2][128];           // the names of --labels
     struct context context;
     struct window_start start;
     struct window *window; // NULL without a window

@@ -156,6 +156,21 @@ static void step_by_page(struct window *window, int by)
         window_step(window, by);
 }
 
+static void blacken(struct window *window)
+{
+    window->black = !window->black && window_has_scenes(window);
+}
+
+// Show only the left picture of a comparison, or only the right one if the left one is alone.
+static void show_side(struct window *window, int both)
+{
+    struct comparison *comparison = window->renderer->comparison;
+    if (comparison == NULL)
+        return;
+    comparison->divider = both ? 0.5 : comparison->divider >= 1.0 ? 0.0 : 1.0;
+    window->moved = window->ray.follow = true;
+}
+
 // The order is that of the overlay's list. Page Down and Page Up are the keys of a presenter's
 // remote control.
 #define VIEW_KEY(id, kind, key, name)  " " #key
@@ -179,6 +194,9 @@ const struct key_row window_keys[] = {
     {.label = "Shift+1…9", .does = "part", .condition = KEY_IN_LECTURE,
      .meaning = "in a lecture, go to a part",
      .binding = {{0}}}, // ask_part
+    {.label = "B .", .does = "black", .condition = KEY_WITH_SCENES,
+     .meaning = "in the course or in a lecture, make the screen black; a second press or another scene ends this",
+     .binding = {{GLFW_KEY_B, .act = blacken}, {GLFW_KEY_PERIOD, .act = blacken}}},
     {.label = "W A S D", .does = "move", .condition = KEY_WITH_CAMERA,
      .meaning = "move horizontally. In most chapters from 03 on, the camera stops at the ground and at the "
                 "water"},
@@ -188,6 +206,10 @@ const struct key_row window_keys[] = {
      .meaning = "hold one of them to move faster"},
     {.label = "drag", .does = "look around", .condition = KEY_WITH_CAMERA,
      .meaning = "look around; on the line between two pictures of --compare, move this line"},
+    {.label = "L", .does = "left, right", .condition = KEY_WITH_COMPARISON,
+     .meaning = "with --compare, show only the left picture, and then only the right one, so that whatever "
+                "differs seems to move; with Shift, show half of each",
+     .binding = {{GLFW_KEY_L, .change = show_side, .amount = false, .shifted = true}}},
     {.label = "M", .does = "capture mouse", .condition = KEY_WITH_CAMERA,
      .meaning = "capture the mouse, so that you can look around without holding a button, or release it"},
     {.label = "click", .does = "select ray",

@@ -70,6 +70,8 @@ bool window_key_acts(struct window *window, enum key_condition condition)
         return window->renderer->sculpture.tool != NULL;
     case KEY_WITH_PROJECTIONS:
         return window_has_orthographic(window);
+    case KEY_WITH_COMPARISON:
+        return window->renderer->comparison != NULL;
     case KEY_WITH_SCENES:
         return window_has_scenes(window);
     case KEY_IN_COURSE:
@@ -89,6 +91,8 @@ void window_explain_key(struct window *window, enum key_condition condition)
                                       [KEY_WITH_HANDLES] = "this shader has no points to drag",
                                       [KEY_WITH_TOOL] = "only chapter 23 has clay",
                                       [KEY_WITH_PROJECTIONS] = "this shader has one projection",
+                                      [KEY_WITH_COMPARISON] =
+                                          "there is one picture: --compare shows two",
                                       [KEY_IN_LECTURE] = NULL};
     if (why[condition] == NULL || (window->panel.told & 1U << condition) != 0 ||
         window_key_acts(window, condition))

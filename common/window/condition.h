@@ -18,6 +18,7 @@ enum key_condition {
     KEY_WITH_HANDLES,
     KEY_WITH_TOOL,
     KEY_WITH_PROJECTIONS,
+    KEY_WITH_COMPARISON,
     KEY_WITH_SCENES, // in a course or a lecture
     KEY_IN_COURSE,
     KEY_IN_LECTURE

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "picture/comparison.h"
+#include "picture/pen.h"
 #include "picture/probe.h"
 #include "platform.h"
 #include "report.h"
@@ -79,6 +80,14 @@ static int sharp_percent(const struct window *window)
     return pixels > 0.0 ? (int)ceil(100.0 * pixels / pixels_of(inputs)) : 0;
 }
 
+// Hide the picture and the overlay's other parts behind black.
+static void cover(struct overlay *overlay)
+{
+    static const struct overlay_colour black = {{0, 0, 0, 255}};
+    overlay_box(overlay, 0.0f, 0.0f, pen_picture_width(overlay), pen_picture_height(overlay),
+                black);
+}
+
 static void fill_overlay(struct window *window)
 {
     const struct renderer_inputs *inputs = &window->inputs;
@@ -122,6 +131,8 @@ static void fill_overlay(struct window *window)
     panel_gather(&panel, &window->panel.overlay, inputs->width, inputs->height,
                  scale > 0.0 ? (float)scale : own);
     window_draw_handles(window);
+    if (window->black)
+        cover(&window->panel.overlay);
     window->renderer->overlay = window->start->overlay_kept ? &window->panel.overlay : NULL;
 }
 

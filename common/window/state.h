@@ -71,6 +71,7 @@ struct window {
     bool moved;    // the content of the picture has changed in this iteration
     bool stale;    // the picture must be drawn again
     bool dirty;    // the frame must be shown again
+    bool black;    // nothing is seen (key B)
     int opening;   // steps of the middle ray to show once the window is visible
     bool shooting; // a screenshot waits for the sharp picture, while the time is stopped
     struct {

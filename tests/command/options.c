@@ -169,6 +169,7 @@ TEST(a_comparison_has_a_file_or_values)
                  o.shared_settings == 1 && o.setting_count == 3);
     ACCEPTED("--compare=my.frag --divider 0.25",
              same(o.compare, "my.frag") && o.divider == 0.25 && o.window && !o.shared_settings);
+    ACCEPTED("--labels wrong,right --compare my.frag", same(o.labels, "wrong,right"));
     ACCEPTED("--divider=0 -f x.frag --compare -p b=2",
              o.compares && o.compare == NULL && o.divider == 0.0 && !o.shared_settings);
     ACCEPTED("-p a=1 -p b=1", !o.compares && o.shared_settings == 2);
@@ -317,6 +318,8 @@ static const char *const mistakes[][2] = {
     {"--compare a.frag --compare b.frag", "can be given only once"},
     {"--compare a.frag b.frag", "unexpected argument 'b.frag'"},
     {"--divider 0.3", "requires --compare"},
+    {"--labels a,b", "--labels: requires --compare"},
+    {"--compare a.frag --labels right", "two names with a comma"},
     {"--compare a.frag --divider 1.01", "between 0 and 1"},
     {"--compare a.frag --divider x", "fraction of the width"},
     // Unknown options; a prefix of a name is not a name.

@@ -93,6 +93,7 @@ check 'they have the same rows' rows
 gives 0 0 'make bake MESH=-m.obj' env MESH=-m.obj .make/bake.sh
 gives 0 0 'make slides LIST=-l.txt' env LIST=-l.txt .make/slides.sh
 gives 0 0 'make lecture LIST=-l.txt' env LIST=-l.txt .make/lecture.sh
+gives 2 1 'make lecture NOTES=printer' env NOTES=printer .make/lecture.sh
 gives 1 0 "make compare PICTURES='-a.png -b.png'" env PICTURES='-a.png -b.png' .make/compare.sh
 for file in -n.frag --help.frag $'esc\e[31m.frag'; do
     gives 0 0 "make play FILE=$(shown "$file")" env FILE="$file" .make/play.sh

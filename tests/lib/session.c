@@ -161,7 +161,7 @@ void session_open_lecture(const char *list)
     listen();
     int status = list != NULL ? lecture_read(&session.lecture, list, chapters, count)
                               : lecture_course(&session.lecture, NULL, chapters, count);
-    if (status != RUN_DONE || lecture_open(session.lecture) != RUN_DONE)
+    if (status != RUN_DONE || lecture_open(session.lecture, false) != RUN_DONE)
         give_up("%s: no lecture: %s", list != NULL ? list : "the course", session_said(2));
     assert_true(user.full == (list != NULL));
     user_resize(320, 180); // fewer pixels, to save time

@@ -127,6 +127,52 @@ SESSION_TEST(keys_change_a_parameter_of_only_one_picture)
 }
 
 // This dense display has two pixels per unit of the window.
+SESSION_TEST(l_shows_one_picture_after_the_other)
+{
+    session_open_bare(CHAPTER, PAIR " --divider 0.2");
+    session_key(GLFW_KEY_L);
+    assert_shot(PAIR " --divider 1");
+    session_keep(0);
+    session_key(GLFW_KEY_L);
+    assert_true(session_off(0, (const int[]){70, 0, 180, 150}) > 0.01);
+    assert_shot(PAIR " --divider 0");
+    session_key(GLFW_KEY_L);
+    assert_shot(PAIR " --divider 1");
+    drag(319, 96); // the line is at the edge
+    assert_shot(PAIR " --divider 0.3");
+    session_shift_key(GLFW_KEY_L);
+    assert_shot(PAIR);
+    session_close();
+    session_open_bare(CHAPTER, SESSION_STILL);
+    session_keep(0);
+    session_key(GLFW_KEY_L); // the overlay says why nothing happens
+    assert_true(session_off(0, NULL) > 0.0);
+    session_wait(5.0);
+    assert_true(session_off(0, NULL) <= 0.0);
+    session_close();
+}
+
+// A lecturer must not show whose file it is.
+SESSION_TEST(labels_hide_the_names_of_the_files)
+{
+    static const char *const names[][2] = {{"ada.frag", "solution.frag"}, {"ben.frag", "x.frag"}};
+    for (int labelled = 0; labelled < 2; labelled++)
+        for (int i = 0; i < 2; i++) {
+            char path[2][4096];
+            for (int k = 0; k < 2; k++)
+                snprintf(path[k], sizeof path[k], "%s",
+                         scratch_write(names[i][k], "#include \"01_normal_colouring.frag\"\n"));
+            session_open_bare(CHAPTER, SESSION_STILL " --shader %s --compare %s%s", path[0],
+                              path[1], labelled ? " --labels mine,yours" : "");
+            session_assert_title(labelled ? CHAPTER " - " : names[i][0]);
+            if (i == 0)
+                session_keep(0);
+            else
+                assert_int_equal(session_off(0, NULL) > 0.0, !labelled);
+            session_close();
+        }
+}
+
 SESSION_TEST(on_a_dense_display_the_divider_follows_the_pointer)
 {
     user.density = 2;

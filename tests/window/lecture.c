@@ -59,13 +59,18 @@ static void back(void)
     key(GLFW_KEY_PAGE_UP, 0);
 }
 
-static void open_list(const char *path)
+static void open_with(const char *path, bool notes)
 {
     assert_int_equal(read_list(path), RUN_DONE);
-    assert_int_equal(lecture_open(lecture), RUN_DONE);
+    assert_int_equal(lecture_open(lecture, notes), RUN_DONE);
     assert_true(user.full);
     user_resize(320, 180); // fewer pixels, to save time
     turns(2);
+}
+
+static void open_list(const char *path)
+{
+    open_with(path, false);
 }
 
 static void open_text(const char *text)
@@ -122,6 +127,44 @@ SESSION_TEST(page_keys_change_the_scene)
     session_keep(0);
     turns(60);
     assert_true(session_off(0, NULL) > 0.01);
+    close_list();
+}
+
+// The value of the brightest pixel.
+static int brightest(void)
+{
+    struct image image;
+    int most = 0;
+    user_look(&image);
+    for (int i = 0; i < 3 * image.width * image.height; i++)
+        most = image.pixel[i] > most ? image.pixel[i] : most;
+    image_free(&image);
+    return most;
+}
+
+SESSION_TEST(b_makes_the_screen_black)
+{
+    open_text("01 " STILL "\n  The picture.\n01 " STILL " --view normals\n");
+    session_keep(0);
+    key(GLFW_KEY_B, 0);
+    assert_int_equal(brightest(), 0);
+    key(GLFW_KEY_PERIOD, 0); // as a presenter's remote control sends
+    assert_true(session_off(0, NULL) <= 0.0);
+    key(GLFW_KEY_B, 0);
+    on(); // the next scene is seen
+    assert_scene(stems[1], STILL " --view normals");
+    close_list();
+}
+
+// tests/window/window.sh tests that they are printed.
+SESSION_TEST(notes_are_not_in_the_window)
+{
+    open_with(scratch_write("list.txt", "01 " STILL "\n  The picture.\n== Part\n01 " STILL
+                                        " --view normals\n  Its normals.\n"),
+              true);
+    session_assert_shown(stems[1], SIZE STILL);
+    key(GLFW_KEY_1, GLFW_MOD_SHIFT);
+    session_assert_shown(stems[1], SIZE STILL " --view normals");
     close_list();
 }
 
@@ -401,7 +444,7 @@ static void open_course(const char *first)
         assert_true(mirror_camera(gpu_project_root(), stems[i], &chapters[i].camera));
     }
     assert_int_equal(lecture_course(&lecture, first, chapters, CHAPTERS), RUN_DONE);
-    assert_int_equal(lecture_open(lecture), RUN_DONE);
+    assert_int_equal(lecture_open(lecture, false), RUN_DONE);
     assert_false(user.full);
     user_resize(320, 180);
     turns(2);

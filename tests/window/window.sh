@@ -111,6 +111,12 @@ paged() {
 }
 check 'Page Down shows the next scene, and Page Up the previous scene' paged
 check 'Backspace ends the lecture' backspace
+start lecture --notes "$scratch/list.txt"
+noted() {
+    eventually says out '1/2  The picture.' && says out '   then 2/2  Its normals.' && key Next && shows ' - normals - ' &&
+        says out '   then the end' && render wanted -s 1280x1024 -v normals && eventually shown wanted && backspace
+}
+check 'notes are printed with the next one, and not shown' noted
 
 # Where coordinates are in pixels, as on Windows and X11, the window itself is larger on a dense display.
 xprop -root -format RESOURCE_MANAGER 8s -set RESOURCE_MANAGER 'Xft.dpi: 192'
