@@ -72,12 +72,17 @@ look() { # FILE OPTIONS PLACE N
     fi
 }
 
-# List a wrong picture as a scene for `make lecture`, with the file on the left and the solution on the right. A list can
-# contain only plain names.
-list_wrong() { # FILE WORDS
+# List a wrong picture as a scene for `make lecture`, with the file on the left and the solution on the right. Where they
+# differ most is the line between them. The class sees no name. A list can contain only plain names.
+list_wrong() { # FILE OPTIONS WORDS [X,Y]
+    local width place=${4-} still=
     [ -e "$solution" ] && [ "$1" != "$unsolved" ] || return
+    width=$(sed -E 's/.*--size +([0-9]+)x.*/\1/' <<<"$2")
+    [ -n "$place" ] || place=$((width / 2)),
+    [[ $2 == *--time* ]] || still=' --time 0'
     if is_plain "$1"; then
-        printf '%s --shader %s --compare %s %s\n    %s, on the left: %s\n' "${program#build/}" "$(quoted "$1")" "$solution" "$shown" "$1" "$2" >>"$work/wrong.txt"
+        printf "%s --shader %s --compare %s --labels 'an answer,the solution' --divider 0.%03d%s%s\n    %s\n" "${program#build/}" \
+            "$(quoted "$1")" "$solution" $((1000 * ${place%,*} / width)) "$still" "${shown:+ $shown}" "$3" >>"$work/wrong.txt"
     else
         report "$1: a list of scenes cannot contain this name, so the picture is not in wrong.txt: rename the file"
     fi
@@ -249,7 +254,7 @@ compare_picture() { # FILE N OPTIONS
     { read -r place; read -r share; read -r words; } <<<"$words"
     if [ -z "$verdict" ]; then
         keep_pictures "$2"
-        [ "$status" = 0 ] || list_wrong "$1" "$words"
+        [ "$status" = 0 ] || list_wrong "$1" "$3" "$words" "$place"
     fi
     [ "$status" = 0 ] || {
         said=$words$see
@@ -267,7 +272,7 @@ compare_rays() { # FILE OPTIONS
     probes "$1" "$2" $places >"$scratch/mine"
     said=$(build/tests/judge rays "$shown" "$places" "$scratch/rays" "$scratch/mine") || {
         [ $? = 1 ] || exit 2 # judge has reported the error
-        list_wrong "$1" "$(head -n 1 <<<"$said")"
+        list_wrong "$1" "$2" "$(head -n 1 <<<"$said")"
         return 1
     }
 }

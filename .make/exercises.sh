@@ -67,7 +67,7 @@ quoted() { # WORD
 
 # Print the command that shows the wrong pictures of a list beside the right ones.
 beside() { # LIST
-    echo "To see each wrong picture beside the solution's, with N for the next one: make lecture LIST=$(quoted "$1")"
+    echo "To see each wrong picture beside the solution's, with L for one after the other and N for the next: make lecture LIST=$(quoted "$1")"
 }
 
 # Set files to those named by FILE or FILES. FILES is first tried as a single pattern, because names may contain spaces.

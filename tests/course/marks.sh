@@ -67,9 +67,9 @@ check 'every picture on the page exists' pictures
 # The wrong files that have a picture become scenes for make lecture, which must find each file, whatever its name.
 { cat chapters/00_first_scene.frag; echo '#define THEIRS'; } | hand_in "O'Neil \"the\" wrong" 00_2.frag
 beside() {
-    marks "$class/*/00_2.frag" 00_2 && grep -q 'N for the next one: make lecture LIST=build/marks/wrong.txt$' "$scratch/said" &&
+    marks "$class/*/00_2.frag" 00_2 && grep -q 'N for the next: make lecture LIST=build/marks/wrong.txt$' "$scratch/said" &&
         build/lecture --print build/marks/wrong.txt >"$scratch/scenes" && [ "$(wc -l <"$scratch/scenes")" = 3 ] &&
-        [ "$(grep -c 'frag. --compare chapters/solutions/00_first_scene_2.frag .*, on the left: .* differ ' "$scratch/scenes")" = 3 ]
+        [ "$(grep -c "frag. --compare chapters/solutions/00_first_scene_2.frag --labels 'an answer,the solution' --divider 0[.][0-9]* --time 1.with --time 1, .* differ " "$scratch/scenes")" = 3 ]
 }
 check 'the wrong pictures are listed as scenes for make lecture' beside || sed 's/^/# /' "$scratch/said" "$scratch/scenes"
 head -c 1048576 /dev/zero >"$scratch/full"
