@@ -27,13 +27,14 @@ async function converted(file, options) {
 }
 
 // A picture with sharp edges, such as a figure, is small without loss of them. Others, such as clouds, are large, and
-// nobody sees what they lose.
+// nobody sees what they lose. The thin lines of a figure must not be lost, because the live figure takes the place of its
+// still picture.
 async function write(name, file, folder) {
     let from = file;
     if (name.endsWith('-small.webp')) from = await converted(file, SMALL);
     else if (file.endsWith('.png')) {
         from = await converted(file, NEAR);
-        if (fs.statSync(from).size > LARGE) from = await converted(file, FINE);
+        if (fs.statSync(from).size > LARGE && !name.includes('-figure-')) from = await converted(file, FINE);
     }
     fs.copyFileSync(from, `${folder}/${name}`);
 }
