@@ -239,6 +239,10 @@ function words(html) {
         : `<button type="button" class="sheet-word" data-name="${name}"${value ? ` data-value="${value}"` : ''}>${text}</button>`);
 }
 
+// A command that opens a figure of the page in a window is left out, because the figure already runs.
+const withoutRun = (html) => html.replace(/<div class="commands"><div class="command"><pre><code>make run FIGURE=(\w+)<\/code><\/pre><button[^>]*>Run<\/button><\/div><\/div>/g,
+    (whole, name) => html.includes(`<figure-sheet name="${name}"`) ? '' : whole);
+
 // The body of a page from pandoc's HTML.
 //   stem      the stem of the page's chapter; undefined if the page does not belong to a chapter
 //   sources   the pages that show files of the project (sources.mjs)
@@ -246,7 +250,7 @@ function words(html) {
 export function bodyOf(html, {stem, sources, pictures}) {
     html = inline(blocks(formulas(html), sources));
     if (stem) html = live(guesses(html, stem, pictures), stem, pictures);
-    html = words(links(images(html, pictures), sources));
+    html = withoutRun(words(links(images(html, pictures), sources)));
     if (stem) html = scrubs(html, new Set([...parametersOf(stem), ...parametersIn(html)]));
     html = tables(html).replaceAll(' />', '>');
     // Third-level headings above the first section become small second-level headings, so that no level is skipped.

@@ -23,7 +23,7 @@ export class Changes {
         this.download = stage.button('Download my.frag', () => this.hand());
         this.element = part('div', {className: 'live-editor', hidden: true}, this.place, part('div', {className: 'live-bar'},
             stage.button('Reset this file', () => this.undo([this.editor.name])), stage.button('Copy a link', () => this.link()), this.download, this.saved));
-        this.open = stage.icon('Edit', () => this.toggle());
+        this.open = stage.icon('Edit', () => this.toggle(), {className: 'live-named'});
         this.open.setAttribute('aria-expanded', 'false');
         addEventListener('pagehide', () => this.editor?.flush());
         addEventListener('storage', (event) => { if (edits.isOurs(event) && this.begun) this.elsewhere(edits.kept()); });

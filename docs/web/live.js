@@ -44,12 +44,15 @@ class LiveChapter extends HTMLElement {
 
     // A picture, which a click replaces with the program.
     behindPoster(poster) {
-        this.button = part('button', {type: 'button', className: 'live-start', textContent: this.isInPlace ? '▶' : '▶ Run'});
+        this.button = part('button', {type: 'button', className: 'live-start', textContent: this.closest('td') ? '▶' : '▶ Run'});
         this.button.setAttribute('aria-label', this.isInPlace ? `Run this picture: ${poster.alt}` : `Run the program of chapter ${this.stem.slice(0, 2)}`);
         this.button.addEventListener('click', () => { if (!this.hasAttribute('aria-busy')) this.run(); }); // a disabled button would lose the focus
-        this.screen = part('div', {className: 'live-screen'}, ...(poster ? [poster] : []), this.button);
+        this.screen = part('div', {className: 'live-screen'}, ...(poster ? [poster] : []));
         if (this.isInPlace) poster.addEventListener('click', () => this.run());
         this.prepend(this.screen);
+        const isBelow = this.parentElement.matches('figure');
+        this.button.classList.toggle('live-quiet', isBelow);
+        (isBelow ? this : this.screen).append(this.button);
     }
 
     // An interactive figure (sheet.js), which needs no program. Its button Edit replaces it with the program, opens the
@@ -141,13 +144,6 @@ class LiveChapter extends HTMLElement {
 }
 
 customElements.define('live-chapter', LiveChapter);
-
-// Unless the reader asks for reduced motion or reduced data, a film replaces its picture two seconds after the page has
-// been loaded, so that the film delays nothing else.
-addEventListener('load', () => setTimeout(() => {
-    if (matchMedia('(prefers-reduced-motion: reduce)').matches || navigator.connection?.saveData) return;
-    for (const img of document.querySelectorAll('img[data-film]')) img.src = img.dataset.film;
-}, 2000));
 
 // ---- Beside the text ----
 

@@ -33,7 +33,7 @@ export class Ray {
         this.slice = part('canvas', {className: 'live-slice', width: 0});
         this.slice.setAttribute('role', 'img');
         this.slice.setAttribute('aria-label', 'The slice view: the ray seen from the side, with the circles of its steps');
-        this.element = part('details', {className: 'live-ray', open: !stage.narrow.matches}, this.title, this.slice, this.tools, this.none, this.outcome, this.scroll);
+        this.element = part('details', {className: 'live-ray'}, this.title, this.slice, this.tools, this.none, this.outcome, this.scroll);
     }
 
     show({pixel, probe, why, shown, view}) {
@@ -43,7 +43,7 @@ export class Ray {
         this.none.hidden = chosen;
         this.outcome.hidden = this.tools.hidden = !chosen;
         this.scroll.hidden = !probe?.recorded;
-        if (chosen && this.element.classList.toggle('live-chosen', true) && !this.chosen && this.stage.narrow.matches) this.element.open = true;
+        if (chosen && this.element.classList.toggle('live-chosen', true) && !this.chosen && (this.stage.narrow.matches || !this.stage.at.isInPlace)) this.element.open = true;
         if (!chosen) this.element.classList.remove('live-chosen');
         this.chosen = chosen;
         this.slice.hidden = !chosen || !this.stage.narrow.matches || !probe?.recorded || ['slice', 'plot'].includes(view);

@@ -8,10 +8,10 @@ import zlib from 'node:zlib';
 const TYPES = {
     '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.json': 'application/json',
     '.png': 'image/png', '.webp': 'image/webp', '.svg': 'image/svg+xml', '.woff2': 'font/woff2', '.txt': 'text/plain; charset=utf-8',
-    '.zip': 'application/zip',
+    '.mp4': 'video/mp4', '.zip': 'application/zip',
 };
 
-const PACKED = /\.(png|webp|woff2|zip)$/; // files that are already compressed
+const PACKED = /\.(png|webp|mp4|woff2|zip)$/; // files that are already compressed
 
 // The path in an address; '' if the path is not valid text, as in %FF.
 function nameIn(address) {

@@ -10,13 +10,18 @@
     // ---- Theme ----
 
     const theme = document.querySelector('.theme');
-    const themes = {'': ['Auto', 'set by the system'], light: ['Light', 'light'], dark: ['Dark', 'dark']};
+    // The name of each theme, and its icon as an SVG path within 24 by 24 units.
+    const themes = {
+        '': ['set by the system', 'M12 4a8 8 0 1 0 .1 0zM12 5.5a6.5 6.5 0 1 0 0 13z'],
+        light: ['light', 'M12 8a4 4 0 1 0 .1 0zM12 3v1.5M12 19.5V21M3 12h1.5M19.5 12H21M5.6 5.6l1 1M17.4 17.4l1 1M5.6 18.4l1-1M17.4 6.6l1-1'],
+        dark: ['dark', 'M19 14.5A7.5 7.5 0 0 1 9.5 5a7.5 7.5 0 1 0 9.5 9.5z'],
+    };
     function showTheme(name) {
-        const [short, long] = themes[name] || themes[''];
+        const [words, path] = themes[name] || themes[''];
         root.dataset.theme = name;
-        theme.textContent = short;
-        theme.title = `The theme is ${long}`;
-        theme.setAttribute('aria-label', `${short}: the theme is ${long}`);
+        theme.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${path}"/></svg>`;
+        theme.title = `The theme is ${words}`;
+        theme.setAttribute('aria-label', `Theme: ${words}`);
     }
     theme.onclick = () => {
         const names = Object.keys(themes), next = names[(names.indexOf(root.dataset.theme) + 1) % names.length];
@@ -136,6 +141,20 @@
     else if (page !== 'index.html' && own && !location.hash && !again && document.getElementById(own.id)) offer('You stopped at ', `#${own.id}`, own.words);
     document.addEventListener('scrollend', keep);
     addEventListener('pagehide', keep);
+
+    // ---- A film shows one button until it is played. Without this script, it has the browser's buttons. ----
+
+    for (const film of document.querySelectorAll('video')) {
+        const button = Object.assign(document.createElement('button'), {type: 'button', className: 'live-start', textContent: '▶ Play', ariaLabel: 'Play the film'});
+        film.controls = false;
+        film.after(button);
+        button.onclick = () => {
+            film.controls = true;
+            film.focus();
+            button.remove();
+            film.play();
+        };
+    }
 
     // ---- Boxes that scroll sideways can be reached with the keyboard ----
 

@@ -63,10 +63,11 @@ async function pagesOf(names) {
     return pages;
 }
 
-// The note below a chapter's first command. It is needed because the page speaks of a terminal, which a reader may not have.
-const HERE_TOO = '<p class="note">You need no terminal on this page: <b>Run</b> runs the command beside it, a picture becomes a running program when you click or tap it, and <b>Edit</b>, below the program, opens its shader. '
+// The note below the first chapter's first command. It is needed because the pages speak of a terminal, which a reader may
+// not have.
+const HERE_TOO = '<p class="note">You need no terminal on these pages: <b>Run</b> runs the command beside it, a picture becomes a running program when you click or tap it, and <b>Edit</b>, below the program, opens its shader. '
     + '<a href="pages.html">How these pages work</a></p>';
-const hinted = (page) => page.stem ? page.body.replace(/<\/live-chapter>(?:(?:(?!<h2).)*?<div class="commands">.*?<\/button><\/div><\/div>)?/s, (program) => `${program}\n${HERE_TOO}`) : page.body;
+const hinted = (page) => page.stem?.startsWith('00_') ? page.body.replace(/<\/live-chapter>(?:(?:(?!<h2).)*?<div class="commands">.*?<\/button><\/div><\/div>)?/s, (program) => `${program}\n${HERE_TOO}`) : page.body;
 
 // ---- Proofs ----
 
@@ -110,8 +111,8 @@ function parted(pages) {
 
 // ---- The surroundings of a page ----
 
-// The parts of the course, from docs/README.md: [{name, from, to}], where from and to are chapter numbers.
-const parts = [...read('docs/README.md').matchAll(/^\| ([IV]+) \| (\d\d) (?:to|and) (\d\d) \|/gm)].map(([, name, from, to]) => ({name: `Part ${name}`, from, to}));
+// The parts of the course, from docs/README.md: [{name, title, from, to}], where from and to are chapter numbers.
+const parts = [...read('docs/README.md').matchAll(/^\| ([IV]+), ([^|]*) \| (\d\d) (?:to|and) (\d\d) \|/gm)].map(([, name, title, from, to]) => ({name: `Part ${name}`, title, from, to}));
 const partOf = (page) => page.stem && parts.find(({from, to}) => page.stem.slice(0, 2) >= from && page.stem.slice(0, 2) <= to);
 const BUILDING = ['teaching', 'architecture', 'contributing'];
 
@@ -126,7 +127,8 @@ const numbered = (title) => escaped(title).replace(/^(\d\d) /, '<span class="num
 
 function contents(pages, here, up = '') {
     const groups = Map.groupBy ? Map.groupBy(pages, groupOf) : pages.reduce((map, page) => map.set(groupOf(page), [...map.get(groupOf(page)) ?? [], page]), new Map());
-    return [...groups].map(([name, group]) => `${name ? `<h2>${name}</h2>` : ''}<ul>${group.map((page) =>
+    const headed = (name, {title} = parts.find((part) => part.name === name) ?? {}) => name && `<h2>${name}${title ? ` <small>${title}</small>` : ''}</h2>`;
+    return [...groups].map(([name, group]) => `${headed(name)}<ul>${group.map((page) =>
         `<li${page.of ? ' class="under"' : ''}><a href="${up}${page.address}"${page === here ? ' aria-current="page"' : ''}>${page.of ? 'Proofs' : numbered(short(page))}</a></li>`)
         .join('')}</ul>`).join('\n');
 }
@@ -159,10 +161,10 @@ function fill(values) {
 }
 
 function write(page, pages) {
-    const list = page.sections.length > 3 ? sectionList(page) : '';
+    const list = page.sections.length > 3 && page.address !== 'index.html' ? sectionList(page) : '';
     const alive = /<live-chapter|class="run"/.test(page.body), sheets = scriptOf(page.body), script = `sheets/${page.address.replace('.html', '.js')}`;
     if (sheets) fs.writeFileSync(`${out}/${script}`, sheets);
-    const first = /<p>(.*?)<\/p>/s.exec(page.body)?.[1] ?? '';
+    const first = /<p(?: class="lead")?>(.*?)<\/p>/s.exec(page.body)?.[1] ?? '';
     const words = plain(first.replace(/<math.*?<\/math>/gs, '…')).replace(/\s+/g, ' ');
     const shown = /<live-chapter[^>]*><img src="([^"]*)"/.exec(page.body)?.[1] ?? `pictures/${smallOf('21_a_landscape-smooth.png')}`;
     fs.writeFileSync(`${out}/${page.address}`, fill({
@@ -196,7 +198,7 @@ function gallery() {
             + `<strong>${numbered(title)}</strong></a><p>${escaped(can[0].toUpperCase() + can.slice(1))}.</p></li>`;
     };
     const all = rows();
-    return parts.map(({name, from, to}) => `<h3 id="${name.toLowerCase().replace(' ', '-')}">${name}</h3>\n<ul class="gallery">${all.filter(({stem}) =>
+    return parts.map(({name, title, from, to}) => `<h3 id="${name.toLowerCase().replace(' ', '-')}">${name}: ${title}</h3>\n<ul class="gallery">${all.filter(({stem}) =>
         stem.slice(0, 2) >= from && stem.slice(0, 2) <= to).map(card).join('\n')}</ul>`).join('\n');
 }
 
@@ -226,11 +228,12 @@ const drop = (poster) => `<div class="drop"><div class="starters" role="group" a
     + '<button type="button" class="export" disabled>Export for Shadertoy</button> <span class="said" role="status"></span></p>'
     + `<live-chapter stem="01_normal_colouring" play><img ${poster}></live-chapter></div>`;
 
-// The landscape over a day, as a still picture that a film replaces once the page has been loaded.
+// The landscape over a day. A reader who does not play the film does not load it.
 function film() {
-    const [width, height] = [640, 360], file = 'tests/references/21_a_landscape-smooth.png', name = smallOf(file);
-    pictures.set(name, file).set('day.webp', `${HERE}day.webp`);
-    return `<live-chapter class="in-place" stem="21_a_landscape"><img src="pictures/${name}" class="wide" data-film="pictures/day.webp" alt="A lake between mountains, as the hours of a day pass" width="${width}" height="${height}" fetchpriority="high"></live-chapter>`;
+    const file = 'tests/references/21_a_landscape-smooth.png', name = smallOf(file);
+    pictures.set(name, file).set('day.mp4', `${HERE}day.mp4`);
+    return `<figure><div class="film"><video src="pictures/day.mp4" poster="pictures/${name}" width="640" height="360" preload="none" controls muted loop playsinline aria-label="A lake between mountains, as the hours of a day pass"></video></div>`
+        + '<figcaption>The lake of <a href="21_a_landscape.html">chapter 21</a>, from dawn until night.</figcaption></figure>';
 }
 
 // A page of docs/web/, with the text from README.md inserted.

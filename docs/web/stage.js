@@ -11,11 +11,11 @@ const LONG = 2000; // milliseconds of compiling after which the reader is told
 const PRESS = 1, RELEASE = 0;
 const PAD = [['◀', 65, 'left'], ['▲', 87, 'forwards'], ['▼', 83, 'backwards'], ['▶', 68, 'right'], ['⤒', 32, 'up'], ['⤓', 67, 'down']];
 const RESTART = 82, SHIFT = 1, NEXT_HANDLE = 257, TAKE_BACK = 85;
-// The icons of the buttons on a narrow page, as SVG paths within 24 by 24 units.
+// The icons of the buttons, as SVG paths within 24 by 24 units. On a wide page, named buttons show their names instead.
 const ICONS = {
     'Pause': 'M8 5v14M16 5v14', 'Resume': 'M8 5l11 7-11 7z', 'Restart': 'M5 12a7 7 0 1 0 2-5M5 3v5h5', 'Undo stroke': 'M9 4L4 9l5 5M4 9h10a5 5 0 0 1 0 10H9', 'Views': 'M2 12q10-14 20 0q-10 14-20 0zM12 9a3 3 0 1 0 .1 0',
     'Values': 'M4 6h16M4 12h16M4 18h16M9 4v4M15 10v4M7 16v4', 'Ray': 'M12 3v6M12 15v6M3 12h6M15 12h6M12 11.5v1', 'Move': 'M12 3v18M3 12h18M9 6l3-3 3 3M9 18l3 3 3-3M6 9l-3 3 3 3M18 9l3 3-3 3',
-    'Edit': 'M4 20l1-5L16 4l4 4L9 19z', 'Full screen': 'M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5', 'Close': 'M5 5l14 14M19 5L5 19',
+    'Reset camera': 'M4 8h3l2-3h6l2 3h3v11H4zM12 10a3.5 3.5 0 1 0 .1 0', 'Edit': 'M4 20l1-5L16 4l4 4L9 19z', 'Full screen': 'M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5', 'Close': 'M5 5l14 14M19 5L5 19',
 };
 
 export class Stage {
@@ -43,30 +43,32 @@ export class Stage {
         return button;
     }
 
-    // A button that shows an icon on a narrow page.
+    // A button that shows an icon.
     icon(text, act, more = {}) {
         return this.name(this.button('', act, {...more, className: `live-iconed ${more.className ?? ''}`}), text);
     }
 
     name(button, text) {
-        if (button.textContent !== text) button.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICONS[text]}"/></svg><span>${text}</span>`;
+        if (button.textContent === text) return button;
+        button.title = text;
+        button.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICONS[text]}"/></svg><span>${text}</span>`;
         return button;
     }
 
-    // A button, on a narrow page, that shows or hides a part.
+    // A button that shows or hides a part.
     //   shows  toggles the part, and returns true if it is now visible
-    toggle(text, shows) {
-        const button = this.icon(text, () => button.setAttribute('aria-expanded', shows()), {className: 'live-toggle'});
+    //   where  live-toggle for a button of narrow pages, live-named for one that shows its name on a wide page
+    toggle(text, shows, where = 'live-toggle') {
+        const button = this.icon(text, () => button.setAttribute('aria-expanded', shows()), {className: where});
         button.setAttribute('aria-expanded', 'false');
         return button;
     }
 
-    // A button, on a narrow page, that opens or closes a fold. A narrow page does not show a closed fold, so the button
-    // then gets the focus.
+    // A button that opens or closes a fold. A closed fold is not shown, so the button then gets the focus.
     unfolds(text, {element}) {
-        const button = this.toggle(text, () => { element.open = !element.open; return element.open; });
+        const button = this.toggle(text, () => { element.open = !element.open; return element.open; }, 'live-named');
         element.addEventListener('toggle', () => button.setAttribute('aria-expanded', element.open));
-        element.firstElementChild.addEventListener('click', () => { if (this.narrow.matches && element.open) button.focus({preventScroll: true}); });
+        element.firstElementChild.addEventListener('click', () => { if (element.open) button.focus({preventScroll: true}); });
         return button;
     }
 
@@ -96,7 +98,7 @@ export class Stage {
         this.time = part('input', {type: 'number', step: 'any', className: 'live-time'});
         this.time.setAttribute('aria-label', 'Time in seconds');
         this.time.addEventListener('change', () => this.call('live_time', Number(this.time.value)));
-        this.back = this.button('Reset camera', () => this.press(RESTART, SHIFT), {title: 'Reset the camera and the time'});
+        this.back = this.icon('Reset camera', () => this.press(RESTART, SHIFT), {className: 'live-back'});
         this.undo = this.icon('Undo stroke', () => this.press(TAKE_BACK));
         this.still = part('small', {className: 'live-still', textContent: 'time is paused, because your system asks for reduced motion', hidden: true});
         this.changes = new Changes(this);
@@ -111,7 +113,8 @@ export class Stage {
         this.bar.setAttribute('aria-label', 'The program');
         this.error = part('pre', {className: 'live-error', hidden: true});
         this.error.setAttribute('role', 'alert');
-        this.controls = part('div', {className: 'live-controls', hidden: true}, this.pad, this.bar, this.changes.element, this.changes.line, this.changes.replaced, this.changes.other, this.error, this.values.element, this.ray.element, this.status);
+        this.controls = part('div', {className: 'live-controls', hidden: true}, this.pad, this.bar, this.changes.element, this.changes.line, this.changes.replaced, this.changes.other, this.error, this.values.element, this.ray.element);
+        this.values.element.append(this.status);
     }
 
     // A button that acts as a key for as long as it is held down.
@@ -226,9 +229,11 @@ export class Stage {
         this.leave();
         this.at = at;
         at.screen.append(this.canvas, this.free, this.notice);
+        this.controls.hidden = true; // until the picture is drawn
         at.screen.after(this.controls);
         at.classList.add('live-on');
-        this.values.element.open = this.ray.element.open = !this.narrow.matches && !at.isInPlace;
+        this.values.element.open = at.hasAttribute('play') && !this.narrow.matches; // on the Play page, the steps of the first shader use a slider
+        this.ray.element.open = false;
         at.classList.toggle('live-editing', !this.changes.element.hidden);
     }
 

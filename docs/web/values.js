@@ -18,7 +18,7 @@ export class Values {
         this.rows = new Map();
         this.list = part('div', {className: 'live-rows'});
         this.all = stage.button('Reset all', () => { for (const name of this.rows.keys()) stage.call('live_reset', name); }, {className: 'live-reset-all'});
-        this.element = part('details', {className: 'live-values', open: !stage.narrow.matches}, part('summary', {textContent: 'Values'}), this.list, this.all);
+        this.element = part('details', {className: 'live-values'}, part('summary', {textContent: 'Values'}), this.list, this.all);
     }
 
     row(parameter) {

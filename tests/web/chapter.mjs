@@ -75,6 +75,8 @@ check('the page keeps the keyboard focus until the reader clicks the picture', a
 
 // ---- Controls ----
 
+check('the parameters are folded until the reader asks for them', await page.locator('.live-rows').isHidden());
+await press(page, 'Values');
 const lamp = page.locator('.live-row', {hasText: 'lampHeight'});
 check('the help for a parameter includes its unit', (await lamp.locator('.live-help').textContent()) === 'height of the lamp above the stage; in scene units');
 check('each parameter has a row', await page.locator('.live-row').count() === now.parameters.length);
@@ -152,6 +154,7 @@ await run(page);
 await page.waitForSelector('.live-error:not([hidden])');
 check('after a reload, the broken edit, its error and a picture are still there', (await words()).includes('error') && (await state(page)).runs);
 // A context that is lost while the edit is broken is restored in the same way.
+await press(page, 'Values');
 await lamp.locator('input[type=number]').fill('3.25');
 await lamp.locator('input[type=number]').press('Enter');
 await page.evaluate(() => new Promise((found) => {
@@ -325,6 +328,7 @@ check('a chapter can be exported for Shadertoy', (await page.evaluate(() => docu
 
 await page.addScriptTag({path: 'build/node/node_modules/axe-core/axe.min.js'});
 const audit = () => page.evaluate(async () => (await window.axe.run(document)).violations.map(({id, nodes}) => `${id}: ${nodes.map((n) => n.target).join(' ')}`));
+await press(page, 'Ray');
 await press(page, 'Select the middle pixel');
 await page.waitForSelector('.live-table tbody tr');
 const violations = await audit();
