@@ -247,14 +247,50 @@ bad_captions() { # PAGE
         END { judge() }' "$1"
 }
 
-# Print the paragraphs that begin with a small letter, though no formula or listing before them has interrupted a
-# sentence: a line was lost, or a blank line slipped in.
+# Print the places where text was lost or doubled: paragraphs that begin with a small letter or end without a full stop,
+# though no formula, listing, list or table interrupts a sentence there, and runs of twelve words that follow each other
+# within forty lines.
 torn() { # PAGE
     awk '
-        /^ *```/ { fenced = !fenced }
-        !fenced && blank && /^[a-z]/ && last !~ /(```|[$][$])$/ { print "line " FNR ": a paragraph begins in the middle of a sentence" }
-        { blank = /^$/ }
-        !blank { last = $0 }' "$1"
+        function judge() {
+            if (unended && $0 !~ /^([$][$]|```|[|<]|- |[0-9]+[.] )/) print "line " unended ": a paragraph ends in the middle of a sentence"
+            unended = 0
+        }
+        function close_paragraph() {
+            if (text !~ /^$|^([#|>!<]|[$][$]|[*][*](Hint|Solution))/ && text !~ /([.:?!)*∎]|[$][$]|square[$]|<br>)$/) unended = begun
+            text = ""
+        }
+        function seek_double(    n, i, k, word, run) {
+            n = split($0, word, " ")
+            for (i = 1; i <= n; i++) {
+                last[count++ % 12] = word[i]
+                run = ""
+                for (k = count - 12; k >= 0 && k < count; k++) run = run " " last[k % 12]
+                if (run in seen && FNR - seen[run] < 40 && FNR > told + 5) print "line " (told = FNR) ": printed twice:" run
+                if (run != "") seen[run] = FNR
+            }
+        }
+        /^ *```/ {
+            if (!fenced) { close_paragraph(); judge() }
+            fenced = !fenced
+            interrupted = 1
+            next
+        }
+        fenced { next }
+        /^$/ { close_paragraph(); next }
+        /^[<!]/ { close_paragraph(); judge(); interrupted = /^<!--/; next }
+        {
+            judge()
+            if (text == "") {
+                begun = FNR
+                if (/^[a-z]/ && !interrupted) print "line " FNR ": a paragraph begins in the middle of a sentence"
+            }
+            text = text == "" ? $0 : text " " $0
+            interrupted = /[$][$]$/
+            if (/^([|#]|[$][$])/ || text ~ /^[*][^*]/) count = 0
+            else seek_double()
+        }
+        END { close_paragraph(); judge() }' "$1"
 }
 
 # Print the paragraphs of a story with more than twelve numbers. A point in brackets or a formula counts as one number,
@@ -457,7 +493,7 @@ check_pages() {
         judge "$page: links, pictures and anchors exist" "$(bad_links "$page")"
         judge "$page: pictures are tested references" "$(bad_pictures "$page")"
         judge "$page: has no merge conflict markers" "$(bad_merges "$page")"
-        judge "$page: no paragraph begins in the middle of a sentence" "$(torn "$page")"
+        judge "$page: no text is lost or printed twice" "$(torn "$page")"
         judge "$page: GitHub renders its formulas" "$(bad_formulas "$page")"
         judge "$page: commands are accepted by their programs" "$(bad_commands "$page")"
         judge "$page: probes print the last line that the page shows" "$(bad_outputs "$page")"
@@ -508,6 +544,8 @@ check_checks() {
     refuses 'a story of more than 3800 words' "$(sed "/^## 1/s/\$/\n\n$(printf 'word %.0s' {1..3800})/" .make/chapter/chapter.md)" bad_form
     refuses 'a picture without a caption' $'![a](a.png)\n\n![b](b.png)\n\n*Predict.* Why?' bad_captions
     refuses 'a paragraph that begins in the middle of a sentence' $'The wall is\n\nhalf as light.' torn
+    refuses 'a paragraph that ends in the middle of a sentence' $'The wall is\n\nThe floor is light.' torn
+    refuses 'a sentence that is printed twice' "$(printf '%s\n\n' 'The wall is half as light as the floor, and the arcade is dark'{,.})" torn
     refuses 'thirteen numbers in a paragraph' '1 2 3 4 5 6 7 8 (9, 10) $11$ and $x_0 = 12$ or 13 and 14, not `16` or $x^2$' crowded
     printf '1 2 3 4 5 6 7 8 (9, 10) $11$ and $x_0 = 12$ or 13, not `16` or $x^2$\n\n' >"$scratch/twelve.md"
     judge 'twelve numbers in a paragraph are accepted' "$(crowded "$scratch/twelve.md")"
