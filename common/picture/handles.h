@@ -20,9 +20,9 @@ struct handle {
 //   formula  shaders/positions.glsl finds the pixels of the points p, p + e a and p + e b, where a
 //            and b are the axes, and e is a hundredth of the distance to the camera, but at least
 //            0.001; move is the difference divided by e, which is the derivative up to terms of
-//            order e. A shader that has its own main and no pixelRay has no points in space: there a
-//            vec2 is a place on the screen, in halves of its height from the middle, and a vec3 is
-//            not seen
+//            order e. A shader that has its own main and no pixelRay has no points in space: there
+//            a vec2 is a place on the screen, in halves of its height from the middle, and a vec3
+//            is not seen
 // Returns the number of handles, or -1 after reporting the error.
 int handles_find(struct renderer *renderer, const struct renderer_inputs *inputs,
                  struct handle handle[HANDLES_MOST]);

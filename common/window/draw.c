@@ -24,7 +24,7 @@
 // The time after which a picture at rest is drawn again, with SMOOTH x SMOOTH samples for a pixel.
 #define SMOOTH_SECONDS 1.0
 #define SMOOTH         3
-#define MOVING_SMOOTH  2    // the same for a picture that moves, if it is drawn in MOVING_SECONDS
+#define MOVING_SMOOTH  2 // the same for a picture that moves, if it is drawn in MOVING_SECONDS
 #define MOVING_SECONDS 0.03
 #define PIECE_SECONDS  0.05 // spent on sharpening between two checks of the input
 #define TRIAL_SECONDS  0.02 // a trial picture that takes longer is the last
