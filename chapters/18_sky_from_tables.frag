@@ -6,16 +6,17 @@
 #include "fresnel.glsl"   // schlickShare
 #include "lighting.glsl"  // lambert, encodeSRGB
 #include "film.glsl"      // exposed, filmOfLargest, ditherStep
-#include "sky_table.glsl" // sunDirection, tableSky, tableSun, tableSunlight, tableAmbient, hourStops, daylightFilm
+#include "sky_table.glsl" // sunDirection, tableSky, tableSun, tableSunlight, tableAmbient, meteredSky, daylightFilm
 
 uniform sampler2D sunward; // "sky_sunward.png" sRGB clamp: the half of the sky that contains the sun
 uniform sampler2D away;    // "sky_away.png" sRGB clamp: the other half of the sky
 uniform sampler2D halo;    // "sun_halo.png" sRGB clamp: the sun and its halo
+uniform sampler2D meter;   // "sky_meter.png" linear clamp: what an exposure meter reads
 
 uniform float timeOfDay;      // 18.4 in [0, 24] step 0.05, hour of the day: solar time at the start
 uniform float hoursPerSecond; // 0.1 in [0, 4] step 0.05, hours per second: speed of the time of day
 uniform float sunRadius;      // 0.267 in [0.1, 5] step 0.1, degrees: the true radius is 0.267, the article's 2.9
-uniform float exposure;       // 0 in [-8, 8] step 0.5, stops: added to the exposure of the hour
+uniform float exposure;       // 0 in [-8, 8] step 0.5, stops: added to the exposure that the meter gives
 uniform float swell;          // 0.04 in [0, 0.2] step 0.01: slope of the waves
 uniform int   maxSteps;       // 160 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.01 in [0.00001, 0.2] step *2, metres: distance at the eye that counts as a hit
@@ -30,8 +31,8 @@ const vec3  HILL = vec3(31.5, -12.8, -48.0); // the centre of the ball whose top
 const vec3 LAND_LOW = vec3(11.5, -4.2, -58.5), LAND_HIGH = vec3(47.0, 4.2, -38.0);
 const vec3 PINE_LOW = vec3(21.0, -12.0, -52.0), PINE_HIGH = vec3(33.5, 12.0, -42.0);
 
-// The light of the sky without sun and moon, 2e-4 cd/m^2: airglow and stars.
-const vec3 NIGHT = vec3(0.4e-7, 0.5e-7, 0.8e-7);
+// The light of airglow and stars, as a share of nightSky of chapter 09, which is made for a screen.
+const float NIGHT = 1.1e-5;
 
 // The displacement of the mirror image by the waves at this pixel: metres sideways per metre of depth.
 vec2 bend = vec2(0.0);
@@ -48,10 +49,17 @@ vec3 sunNow()
     return sunDirection(timeOfDay + hoursPerSecond * iTime, LATITUDE, DECLINATION);
 }
 
+// The sky without sun and moon: 2e-4 cd/m^2 overhead.
+vec3 darkSky(vec3 direction, vec3 sun)
+{
+    return NIGHT * nightSky(direction, sun);
+}
+
 // The sky with the sun, plus the light of the night sky.
 vec3 skyLight(vec3 direction, vec3 sun)
 {
-    return tableSky(sunward, away, direction, sun) + tableSun(halo, direction, sun, radians(sunRadius)) + NIGHT;
+    vec3 day = tableSky(sunward, away, direction, sun) + tableSun(halo, direction, sun, radians(sunRadius));
+    return day + darkSky(direction, sun);
 }
 
 // ---- The islet ----
@@ -165,11 +173,18 @@ vec3 surfaceLight(Surface surface, vec3 sky, vec3 sun)
     return mix(water, light, share);
 }
 
+// The exposure for the sky in front of the camera, in stops.
+float stopsNow(vec3 sun)
+{
+    float night = brightness(darkSky(vec3(0.0, 0.2, 0.0), sun)); // half-way up the part of the sky that the meter sees
+    return adaptedStops(meteredSky(meter, iCameraForward, sun) + night) + exposure;
+}
+
 // Light as the screen shows it: exposed for the hour, with a film that keeps hues but bleaches very
 // bright light.
 vec3 developed(vec3 light, vec3 sun)
 {
-    vec3 e = exposed(daylightFilm(light), hourStops(sun.y) + exposure);
+    vec3 e = exposed(daylightFilm(light), stopsNow(sun));
     vec3 film = filmOfLargest(e, 1.35, 6.0);
     film = mix(film, vec3(max(film.r, max(film.g, film.b))), e.g / (e.g + 8.0));
     return encodeSRGB(film) + ditherStep(iPixel) / 255.0;

@@ -8,20 +8,24 @@
 #include "lighting.glsl"   // lambert, encodeSRGB
 #include "fresnel.glsl"    // schlickShare
 #include "coverage.glsl"   // coverage
-#include "sky.glsl"        // sunDirection, sunlitSky, transmittance, airMass, glow
+#include "sky_table.glsl"  // tableSky, tableSun, tableSunlight, tableAmbient, meteredSky; sunDirection, glow of sky.glsl
 #include "night.glsl"      // the directions of stars and moon, and their light
 #include "film.glsl"       // exposed, filmOfLargest
 
 uniform sampler2D moon;       // "moon.png" linear clamp: brightness and slopes of the moon's ground
+uniform sampler2D sunward;    // "sky_sunward.png" sRGB clamp: the half of the sky that contains the sun
+uniform sampler2D away;       // "sky_away.png" sRGB clamp: the other half of the sky
+uniform sampler2D halo;       // "sun_halo.png" sRGB clamp: the sun and its halo
+uniform sampler2D meter;      // "sky_meter.png" linear clamp: what an exposure meter reads
 
 uniform float timeOfDay;      // 19.35 in [0, 24] step 0.25, hour of the day: solar time at the start; at 12 the sun is highest
 uniform float hoursPerSecond; // 0.25 in [0, 4] step 0.05, hours per second: speed of the time of day
 uniform float moonAge;        // 2.9 in [0, 29.5] step 0.5, days: time since new moon, at the start; 14.77 is full moon
-uniform float moonRadius;     // 2.6 in [0.1, 8] step *1.1, degrees: radius of the moon as drawn; the true one is 0.259, the article's 1.7
+uniform float moonRadius;     // 2.6 in [0.1, 8] step *1.1, degrees: radius of the moon as drawn; the true one is 0.259, that in the article's shader 1.7
 uniform bool  lightKept;      // true: an enlarged moon sends as much light as the true one; false: its surface is as bright as the true one's
 uniform float relief;         // 1.5 in [0, 6] step 0.5: factor by which the moon's slopes are exaggerated
-uniform float exposure;       // 2 in [-16, 8] step 0.5, stops: added to the exposure of the hour
-uniform float softness;       // 0.6 in [0.2, 1] step 0.05: exponent applied to the light before it is shown, at dusk and at night; 1 changes nothing
+uniform float exposure;       // 0.5 in [-16, 8] step 0.5, stops: added to the exposure that the meter gives
+uniform float softness;       // 0.7 in [0.2, 1] step 0.05: exponent applied to the ratio of light to the light of the sky; 1 changes nothing
 uniform float latitude;       // 43.6 in [-89, 89] step 5, degrees: latitude of the observer
 uniform int   maxSteps;       // 90 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.005 in [0.00001, 0.1] step *2, scene units: distance at the eye that counts as a hit
@@ -29,6 +33,7 @@ uniform float hitThreshold;   // 0.005 in [0.00001, 0.1] step *2, scene units: d
 // x points north, y up, z east, as in chapter 09; at the start the camera looks west. One scene
 // unit is one metre.
 const float DECLINATION = 2.0;                // declination of the sun in late March, degrees
+const float SUN_RADIUS = 0.00466;             // angular radius of the sun, radians
 const vec3  DOME = vec3(17.0, 6.2, -57.0);    // the foot of the observatory
 const vec3  DOME_LOW = DOME + vec3(-3.1, -2.1, -3.1);
 const vec3  DOME_HIGH = DOME + vec3(7.0, 5.8, 3.1);
@@ -100,9 +105,8 @@ struct Hour {
     float hour;       // solar time
     vec3  sun, moon;  // directions to the sun and the moon
     vec3  moonlight;  // moonlight on a perpendicular surface; fades to 0 as the moon sets
-    vec3  sunlight;   // sunlight on a perpendicular surface; fades to 0 as the sun sets
-    float zenith;     // the light of the sky overhead
-    float day;        // 0 until the sun is up, 1 when it is high
+    vec3  around;     // light of the whole sky on a horizontal white surface
+    float metered;    // light of the sky in front of the camera
 };
 
 Hour hourNow()
@@ -111,23 +115,14 @@ Hour hourNow()
     vec3 sun = sunDirection(hour, latitude, DECLINATION);
     vec3 toMoon = moonDirection(hour, latitude, DECLINATION, age);
     vec3 light = moonlight(-dot(toMoon, sun)) * smoothstep(-0.1, 0.1, toMoon.y);
-    vec3 sunlight = 10.0 * transmittance(RAYLEIGH + 0.03, airMass(max(sun.y, 0.0))) * smoothstep(0.0, 0.02, sun.y);
-    return Hour(hour, sun, toMoon, light, sunlight, zenithLight(sun.y), smoothstep(0.0, 0.3, sun.y));
+    vec3 night = airglow(0.2) + 0.05 * light;
+    return Hour(hour, sun, toMoon, light, tableAmbient(sun) + night, meteredSky(meter, iCameraForward, sun) + brightness(night));
 }
 
-// The light that the air scatters from a sun above or below the horizon: by day, the sky of chapter
-// 09; at dusk, the sunset of chapter 09, dimmed in proportion to the sky overhead, with an arch above
-// the point where the sun went down.
+// The light of the sky that the sun lights from above or from below the horizon.
 vec3 skyLight(vec3 direction, vec3 sun)
 {
-    vec3 raised = normalize(vec3(sun.x, max(sun.y, 0.02), sun.z));
-    float gone = min((zenithLight(sun.y) - 4.4e-8) / 0.053, 1.0), below = 1.0 - smoothstep(-0.1, 0.0, sun.y);
-    vec2 level = normalize(direction.xz + vec2(1e-6, 0.0)), west = normalize(sun.xz);
-    float toward = 0.5 + 0.5 * dot(level, west), low = exp(-direction.y / mix(0.30, 0.075, below));
-    vec3 day = sunlitSky(direction, raised, RAYLEIGH + 0.03) * mix(1.0, 0.25 + 0.75 * toward, below);
-    vec3 arch = toward * toward * low * transmittance(RAYLEIGH + 0.02, 0.45 * airMass(direction.y));
-    vec3 blue = vec3(0.016, 0.043, 0.115) * (1.0 + 3.0 * toward * exp(-3.5 * direction.y));
-    return mix(day, blue + 6.0 * arch * vec3(1.0, 0.62, 0.36), below) * gone;
+    return tableSky(sunward, away, direction, sun);
 }
 
 // The light of the moon's disc, and the share of the pixel that the disc covers (w).
@@ -152,7 +147,7 @@ vec3 airLight(vec3 direction, Hour now, vec3 clear)
 // The light from beyond the air: the stars, and the moon in front of them.
 vec3 heavens(vec3 direction, Hour now, float width)
 {
-    vec3 star = skyTurn(now.hour, latitude) * direction;
+    vec3 star = skyTurn(hourOfStars(now.hour, DECLINATION), latitude) * direction;
     vec4 disc = moonSeen(direction, now, width);
     return mix(starLight(star, width) + milkyWay(star), disc.rgb, disc.w);
 }
@@ -201,8 +196,8 @@ vec3 shoreLight(vec3 p, bool marched, Hour now)
     bool dome = marched && p.x > DOME_LOW.x && p.y > DOME_LOW.y;
     vec3 round = normalize(vec3(q.x, max(q.y - 2.7, 0.0), q.z)), normal = dome ? round : vec3(0.0, 1.0, 0.0);
     vec3 colour = dome ? vec3(0.5, 0.52, 0.56) : vec3(0.05, 0.06, 0.045) * (marched ? 0.4 : 1.0);
-    vec3 received = (0.6 + 0.4 * normal.y) * now.zenith * vec3(0.7, 0.9, 1.3) + lambert(normal, now.moon) * now.moonlight;
-    received += lambert(normal, now.sun) * now.sunlight;
+    vec3 received = (0.6 + 0.4 * normal.y) * now.around + lambert(normal, now.moon) * now.moonlight;
+    received += lambert(normal, now.sun) * tableSunlight(now.sun);
     return colour * received + (dome ? lampLight(p) : 0.0) * vec3(5.7e-5, 2.2e-5, 6e-6);
 }
 
@@ -212,7 +207,8 @@ vec3 skyAll(vec3 direction, Hour now, float width)
     vec3 above = vec3(direction.x, max(direction.y, 0.0), direction.z), clear = transmittance(RAYLEIGH, airMass(above.y));
     vec3 air = airLight(above, now, clear);
     vec2 ranges = rangesSeen(direction, 2.0 * width);
-    return mix(mix(air + clear * heavens(above, now, width), 0.45 * air, ranges.x), 0.22 * air, ranges.y);
+    vec3 beyond = clear * heavens(above, now, width) + tableSun(halo, direction, now.sun, SUN_RADIUS);
+    return mix(mix(air + beyond, 0.45 * air, ranges.x), 0.22 * air, ranges.y);
 }
 
 // The light of the shore where a ray meets the shore, otherwise the light of the sky behind it.
@@ -226,13 +222,12 @@ vec3 behindLake(Ray ray, vec3 sky, Hour now)
     return t < 1e5 ? shoreLight(ray.origin + t * ray.direction, hit.found, now) : sky;
 }
 
-// Light as it is shown: exposed for the hour, then raised to a power, because no screen shows eight
-// decades of brightness. Daylight spans only two decades, so by day the picture gets neither the power
-// nor the stops that bring out the shore at dusk.
+// Light as it is shown: exposed for the sky in front of the camera, and with less contrast, because
+// no screen shows the moon and the stars together.
 vec3 shown(vec3 light, Hour now)
 {
-    vec3 x = exposed(light, nightStops(now.zenith + 0.1 * now.moonlight.y) + exposure - 2.5 * now.day);
-    x *= pow(max(max(x.r, max(x.g, x.b)), 1e-6), mix(softness, 1.0, now.day) - 1.0);
+    vec3 x = exposed(daylightFilm(light), adaptedStops(now.metered) + exposure);
+    x *= pow(max(brightness(light) / now.metered, 1e-6), softness - 1.0);
     return encodeSRGB(filmOfLargest(x, 1.4, 60.0));
 }
 

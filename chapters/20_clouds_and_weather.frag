@@ -13,11 +13,13 @@
 #include "film.glsl"       // exposed, filmOfLargest, ditherStep
 #include "fog.glsl"        // fogDepth, throughFog, lampInFog, beamInFog
 #include "sky_table.glsl"  // the clear sky and the sun, and their light
+#include "night.glsl"      // skyTurn, starLight, milkyWay, airglow, nightSight
 #include "clouds.glsl"     // clouds of a panorama and of a layer, their light, and the weather
 
 uniform sampler2D sunward;     // "sky_sunward.png" sRGB clamp: the sky on the sun's side
 uniform sampler2D away;        // "sky_away.png" sRGB clamp: the sky on the other side
 uniform sampler2D halo;        // "sun_halo.png" sRGB clamp: the sun
+uniform sampler2D meter;       // "sky_meter.png" linear clamp: what an exposure meter reads
 uniform sampler2D cloudsFair;  // "clouds_fair.png" linear repeat: panorama of fair weather
 uniform sampler2D cloudsStorm; // "clouds_storm.png" linear repeat: panorama of bad weather
 uniform sampler2D cloudsHigh;  // "clouds_high.png" linear repeat: a layer from below
@@ -40,6 +42,7 @@ const float LOW_CLOUDS = 1.2, CLOUD_TOPS = 3.0, HIGH_CLOUDS = 8.0; // altitudes,
 const float MOON = 2.2e-6;      // light of the full moon, as a share of the sun's
 const float SUN_RADIUS = 0.009; // angular radius of the sun and the moon, radians: about twice the true radius
 const vec3  LAMPLIGHT = vec3(1.0, 0.72, 0.38);
+const float BEAM_LOST = 0.015;   // share of the light of the beam that haze removes, per scene unit
 
 Ray pixelRay(vec2 screen)
 {
@@ -63,15 +66,16 @@ float cameraRoom(vec3 p)
 // These values are computed once for each pixel. The full moon is opposite the sun: it fades in while the sun sinks
 // from -2 degrees to -7. The sky lit by the sun and the sky lit by the moon are added.
 struct Lights {
+    float hour;        // solar time
     vec3  skySun;      // direction of the source whose sky is brighter, length 1
     float skyStrength; // strength of that source: 1 for the sun
-    vec3  even;        // light of the other source's sky, taken as the same in all directions
-    vec3  clear;       // the mean light of the whole clear sky, from both sources
-    float apart;       // 0 if both skies are equally bright: the whole sky is then taken as even; 1 by day
+    vec3  even, both;  // light of the other source's sky and of both skies, taken as the same in all directions
+    float apart;       // 0 if both skies are equally bright: they are then taken as even; 1 by day
     vec3  sun;      // direction to the sun, or to the moon once the sun lights no cloud
     float strength; // light of that source: 1 for the sun
     vec3  low;      // light of that source at the ground, on a perpendicular surface
-    vec3  high;     // light of that source at the clouds, on a perpendicular surface
+    vec3  tops;     // light of that source at the tops of the clouds, on a perpendicular surface
+    vec3  high;     // light of that source at the high layer of clouds, on a perpendicular surface
     vec3  sky;      // light of the whole sky on a horizontal white surface
     float stops;    // exposure, in stops
     float lamp;     // brightness of the lamps
@@ -87,42 +91,51 @@ Lights lightsAt(float hour)
     float apart = smoothstep(0.0, 0.8, abs(ofSun.y - ofMoon.y) / (ofSun.y + ofMoon.y));
     bool moonlit = ofMoon.y > ofSun.y;
     vec3 low = strength * tableSunlight(sun);
-    vec3 high = strength * tableSunlight(vec3(0.0, cloudSunHeight(sun.y, CLOUD_TOPS), 0.0));
+    vec3 tops = strength * tableSunlight(vec3(0.0, cloudSunHeight(sun.y, CLOUD_TOPS), 0.0));
+    vec3 high = strength * tableSunlight(vec3(0.0, cloudSunHeight(sun.y, HIGH_CLOUDS), 0.0));
     vec3 sky = mix(clear, overcastWhite(clear + low * max(sun.y, 0.0)), overcastShare(weather));
-    // The exposure suits the light that fills most of the picture: the light of the sky and the
-    // sunlit clouds, or only the light of the overcast sky.
-    float bright = mix(clear.y + 0.2 * high.y, 2.0 * sky.y, overcastShare(weather));
-    float stops = -1.2 - 0.85 * log2(bright), left = sunLeft(weather);
-    float dark = 1.0 - smoothstep(0.04, 0.15, sky.y);
-    return Lights(moonlit ? -daySun : daySun, moonlit ? moon : 1.0, moonlit ? ofSun : ofMoon, clear, apart, sun, strength,
-                  left * low, left * high, sky, stops, dark * exp2(-stops));
+    float sunMetered = meteredSky(meter, iCameraForward, daySun), moonMetered = moon * meteredSky(meter, iCameraForward, -daySun);
+    vec3 sunEven = sunMetered / brightness(ofSun) * ofSun, moonEven = moonMetered / brightness(ofMoon + 1e-12) * ofMoon;
+    float metered = sunMetered + moonMetered + 6e-8, left = sunLeft(weather);
+    metered = mix(metered, brightness(0.25 * left * tops + 0.6 * sky), 0.5 * float(clouds & 1));
+    float stops = adaptedStops(mix(metered, 2.0 * brightness(sky), overcastShare(weather)));
+    float dark = 1.0 - smoothstep(0.0, 0.12, sky.y);
+    return Lights(hour, moonlit ? -daySun : daySun, moonlit ? moon : 1.0, moonlit ? sunEven : moonEven, sunEven + moonEven, apart, sun, strength,
+                  left * low, left * tops, left * high, sky, stops, dark * exp2(-stops));
 }
 
 // ---- Sky and clouds ----
 
-// The clear sky without sun or moon.
+// The clear sky without sun, moon and stars.
 vec3 skyLight(vec3 direction, Lights lights)
 {
     vec3 brighter = lights.skyStrength * tableSky(sunward, away, direction, lights.skySun);
-    return mix(lights.clear, brighter + lights.even + 6e-8, lights.apart);
+    return mix(lights.both, brighter + lights.even, lights.apart) + 6e-8;
 }
 
-vec3 discLight(vec3 direction, Lights lights)
+// The light from beyond the air: the disc of the sun or the moon, and the stars. In October the sun is opposite to where
+// it is half a year before, when its declination is as far above 0.
+vec3 heavens(vec3 direction, Lights lights, float width)
 {
-    return lights.strength * tableSun(halo, direction, lights.sun, SUN_RADIUS);
+    vec3 star = skyTurn(hourOfStars(lights.hour, -DECLINATION) + 0.5 * SIDEREAL_DAY, LATITUDE) * direction;
+    vec3 disc = lights.strength * tableSun(halo, direction, lights.sun, SUN_RADIUS);
+    return disc + transmittance(RAYLEIGH, airMass(direction.y)) * (starLight(star, width) + milkyWay(star));
 }
 
-// The clouds: the panorama of fair weather in front of the panorama of bad weather, and both in front
-// of the high layer.
-Cloud cloudsAt(vec3 direction, float width)
+// The clouds of the panoramas, fair weather in front of bad weather.
+Cloud lowClouds(vec3 direction, float width)
 {
-    float turn = turned + drift * iTime;
-    vec3 eye = vec3(walk.x, 0.0, walk.y), seen = seenFromMiddle(eye, direction, LOW_CLOUDS);
-    vec2 there = vec2(clouds & 1, clouds / 2);
-    Cloud fair = cloudShare(cloudPanorama(cloudsFair, seen, turn, width), there.x * fairShare(weather));
-    Cloud storm = cloudShare(cloudPanorama(cloudsStorm, seen, 0.7 * turn, width), there.x * stormShare(weather));
-    Cloud high = cloudLayer(cloudsHigh, eye + vec3(0.0, 0.0, 10.0 * drift * iTime), direction, HIGH_CLOUDS, 70.0, width);
-    return cloudOver(fair, cloudOver(storm, cloudShare(high, there.y)));
+    float turn = turned + drift * iTime, there = float(clouds & 1);
+    vec3 seen = seenFromMiddle(vec3(walk.x, 0.0, walk.y), direction, LOW_CLOUDS);
+    Cloud fair = cloudShare(cloudPanorama(cloudsFair, seen, turn, width), there * fairShare(weather));
+    return cloudOver(fair, cloudShare(cloudPanorama(cloudsStorm, seen, 0.7 * turn, width), there * stormShare(weather)));
+}
+
+// The high layer, behind them.
+Cloud highClouds(vec3 direction, float width)
+{
+    vec3 eye = vec3(walk.x, 0.0, walk.y + 10.0 * drift * iTime);
+    return cloudShare(cloudLayer(cloudsHigh, eye, direction, HIGH_CLOUDS, 70.0, width), float(clouds / 2));
 }
 
 // The clear or overcast sky with the disc of the sun or the moon, the clouds in front of the sky, and
@@ -132,11 +145,12 @@ vec3 skyWithClouds(vec3 direction, Lights lights, float width)
     float grey = overcastShare(weather);
     vec3 up = vec3(direction.x, max(direction.y, 0.0), direction.z);
     vec3 sky = mix(skyLight(up, lights), overcastSky(up.y, lights.sky), grey);
-    vec3 disc = discLeft(weather) * discLight(direction, lights);
-    Cloud cloud = cloudsAt(up, width);
-    vec3 light = cloudLight(cloud, up, lights.sun, lights.high, lights.sky);
+    vec3 beyond = discLeft(weather) * heavens(up, lights, width);
+    Cloud low = lowClouds(up, width), high = highClouds(up, width), cloud = cloudOver(low, high);
+    vec3 light = cloudLight(low, up, lights.sun, lights.tops, lights.sky);
+    light += (1.0 - low.cover) * cloudLight(high, up, lights.sun, lights.high, lights.sky);
     float haze = fogDepth(0.0, up.y, layerHit(0.0, up.y, LOW_CLOUDS), hazeDensity(weather), 1.5);
-    return (1.0 - cloud.cover) * (sky + disc) + throughFog(light, cloud.cover * sky, haze);
+    return (1.0 - cloud.cover) * (sky + beyond) + throughFog(light, cloud.cover * sky, haze);
 }
 
 // ---- Sea and land ----
@@ -214,12 +228,13 @@ vec3 developed(vec3 light, Surface surface, Lights lights)
 {
     vec3 from = surface.seen.origin - LANTERN, beam = vec3(sin(1.2 * iTime + 0.5), 0.03, cos(1.2 * iTime + 0.5));
     float far = surface.land ? surface.t : 1e4, haze = 0.03 * lampInFog(from, surface.seen.direction, far, 0.05);
-    haze += 0.09 * beamInFog(from, surface.seen.direction, beam, vec2(0.1, 0.025), far);
-    haze *= (0.2 + overcastShare(weather)) * (surface.water ? 0.3 : 1.0);
+    haze += 0.09 * beamInFog(from, surface.seen.direction, beam, vec2(0.1, 0.025), far, BEAM_LOST);
+    haze *= (0.2 + 0.6 * overcastShare(weather)) * (surface.water ? 0.3 : 1.0);
     light += haze * lights.lamp * LAMPLIGHT;
     float drops = rainStreaks(screenPosition(vec2(iPixel) + 0.5), iTime, 2.0 / iResolution.y);
     light = mix(light, lights.sky, 0.35 * rainShare(weather) * drops);
-    return encodeSRGB(filmOfLargest(exposed(light, lights.stops), 1.3, 6.0)) + ditherStep(iPixel) / 255.0;
+    vec3 seen = exposed(nightSight(daylightFilm(light)), lights.stops);
+    return encodeSRGB(filmOfLargest(seen, 1.3, 6.0)) + ditherStep(iPixel) / 255.0;
 }
 
 vec3 rayColour(Ray ray)

@@ -18,6 +18,7 @@
 uniform sampler2D sunward;     // "sky_sunward.png" sRGB clamp: the sky on the sun's side
 uniform sampler2D away;        // "sky_away.png" sRGB clamp: the sky on the other side
 uniform sampler2D halo;        // "sun_halo.png" sRGB clamp: the sun
+uniform sampler2D meter;       // "sky_meter.png" linear clamp: what an exposure meter reads
 uniform sampler2D moonMap;     // "moon.png" linear clamp: the moon's face
 uniform sampler2D cloudsFair;  // "clouds_fair.png" linear repeat: panorama of fair weather
 uniform sampler2D cloudsStorm; // "clouds_storm.png" linear repeat: panorama of bad weather
@@ -32,7 +33,7 @@ uniform bool  clouds;         // true: show the clouds
 uniform float turned;         // 0.1 in [0, 1] step 0.02, turns: position of the clouds at noon; they go round once a day
 uniform float wind;           // 0.3 in [0, 1] step 0.05: roughness of the water
 uniform float mist;           // 0.005 in [0, 0.1] step 0.001, per scene unit: share of light lost in the clear air at the water
-uniform float exposure;       // 0 in [-6, 6] step 0.25, stops: added to the exposure of the hour
+uniform float exposure;       // 0.5 in [-6, 6] step 0.25, stops: added to the exposure that the meter gives
 uniform float omega;          // 1.3 in [1, 1.95] step 0.05, distances: length of a step
 uniform float footprint;      // 0.25 in [0, 8] step 0.05, half pixels: how fast the threshold grows along the ray
 uniform int   maxSteps;       // 384 in [1, 512]: steps after which a ray is abandoned
@@ -92,7 +93,8 @@ float coarseMargin(float t)
 struct Hour {
     float noon;             // hours since noon, in [0, 24)
     vec3  sun, moon, toLight; // directions; toLight is the direction to the sun by day and to the moon at night
-    vec3  beam, cloudBeam;  // light from toLight on a perpendicular surface, at the ground and at the clouds
+    vec3  beam;             // light from toLight on a perpendicular surface, at the ground
+    vec3  low, high;        // the same at the low and at the high clouds
     vec3  sky;              // light of the whole sky on a horizontal white surface
     vec3  moonlit;          // light of the clear night sky that comes from the moon
     float lamp;             // brightness of the lamps, in [0, 1]
@@ -108,36 +110,27 @@ Hour hourNow()
     vec3 sunBeam = tableSunlight(sun), moonBeam = full * tableSunlight(moon);
     bool day = sun.y > -0.05;
     vec3 toLight = day ? sun : moon, beam = day ? sunBeam : moonBeam;
-    vec3 high = tableSunlight(vec3(0.0, cloudSunHeight(toLight.y, LOW_CLOUDS), 0.0));
+    vec3 strength = day ? vec3(1.0) : full;
+    vec3 low = strength * tableSunlight(vec3(0.0, cloudSunHeight(toLight.y, LOW_CLOUDS), 0.0));
+    vec3 high = strength * tableSunlight(vec3(0.0, cloudSunHeight(toLight.y, HIGH_CLOUDS), 0.0));
     float moonUp = max(moon.y, 0.0);
     vec3 moonlit = vec3(0.8, 1.0, 1.3) * (0.15 * moonUp * moonBeam), clear = tableAmbient(sun) + moonlit + 6e-8;
     vec3 sky = mix(clear, overcastWhite(clear + max(toLight.y, 0.0) * beam), overcastShare(theWeather));
-    // The exposure suits the light that fills most of the picture: the light of the sky and the
-    // sunlit clouds, or only the light of the overcast sky.
-    vec3 cloudBeam = (day ? vec3(1.0) : full) * high;
-    float left = sunLeft(theWeather), bright = exp2(skyBrightness(sun.y)) + 9e-8 + 0.08 * (2.0 * moonUp * moonBeam.g + cloudBeam.g);
-    float stops = exposure - 1.5 - 0.9 * log2(mix(bright, 1.3 * sky.g + 8e-8, overcastShare(theWeather)));
-    return Hour(noon, sun, moon, toLight, left * beam, left * cloudBeam, sky, moonlit,
+    float left = sunLeft(theWeather), metered = meteredSky(meter, iCameraForward, sun) + brightness(moonlit + airglow(0.2));
+    metered = mix(metered, brightness(0.25 * left * low + 0.6 * sky), clouds ? 0.5 : 0.0);
+    float stops = exposure + adaptedStops(mix(metered, 2.0 * brightness(sky), overcastShare(theWeather)));
+    return Hour(noon, sun, moon, toLight, left * beam, left * low, left * high, sky, moonlit,
                 1.0 - smoothstep(0.05, 0.3, sky.g), stops, exp2(min(MOON_STOPS - stops, 0.0)));
 }
 
 // ---- The sky ----
-
-// The hour on the day of the March equinox at which the stars have the same directions as now.
-// Since the equinox, the sun has moved among them by an angle whose sine is the tangent of its
-// declination divided by the tangent of the obliquity.
-float hourOfStars(Hour now)
-{
-    float sine = tan(radians(declination)) / tan(radians(OBLIQUITY));
-    return now.noon + 12.0 + SIDEREAL_DAY / 360.0 * degrees(atan(sine, sqrt(1.0 - sine * sine)));
-}
 
 // The sky behind the air: stars, the band of the Milky Way, and the moon.
 //   mirrored  true for a reflection in the water: waves do not mirror a disc as a disc, so the moon
 //             is left out, and glitter adds its light
 vec3 heavens(vec3 direction, Hour now, float width, bool mirrored)
 {
-    vec3 star = skyTurn(hourOfStars(now), LATITUDE) * direction, stars = starLight(star, width) + milkyWay(star);
+    vec3 star = skyTurn(hourOfStars(now.noon + 12.0, declination), LATITUDE) * direction, stars = starLight(star, width) + milkyWay(star);
     mat3 frame = moonFrame(now.moon, LATITUDE);
     vec2 point = moonPoint(frame * direction, MOON_RADIUS);
     float rim = width / MOON_RADIUS, inside = 1.0 - smoothstep(1.0 - rim, 1.0 + rim, length(point));
@@ -158,9 +151,12 @@ vec3 skyLight(vec3 direction, Hour now, bool mirrored, out float open)
     Cloud fair = cloudShare(cloudPanorama(cloudsFair, direction, turned + noon, width), clouds ? fairShare(theWeather) : 0.0);
     Cloud storm = cloudShare(cloudPanorama(cloudsStorm, direction, turned + noon, width), clouds ? stormShare(theWeather) : 0.0);
     Cloud high = cloudLayer(cloudsHigh, vec3(0.0, 0.0, HIGH_PERIOD * noon), direction, HIGH_CLOUDS, HIGH_PERIOD, width);
-    Cloud cloud = cloudOver(fair, cloudOver(storm, cloudShare(high, clouds ? 0.7 : 0.0)));
-    open = (1.0 - cloud.cover) * disc;
-    return (1.0 - cloud.cover) * sky + cloudLight(cloud, direction, now.toLight, now.cloudBeam, now.sky);
+    Cloud low = cloudOver(fair, storm);
+    high = cloudShare(high, clouds ? 0.7 : 0.0);
+    float left = 1.0 - cloudOver(low, high).cover;
+    open = left * disc;
+    vec3 behind = cloudLight(high, direction, now.toLight, now.high, now.sky);
+    return left * sky + (1.0 - low.cover) * behind + cloudLight(low, direction, now.toLight, now.low, now.sky);
 }
 
 // ---- Land ----
@@ -220,14 +216,6 @@ vec3 surfaceLight(Surface surface, Hour now, float seen)
 
 // ---- The picture ----
 
-// In the dark the eye sees with its rods, which distinguish no colours and are most sensitive to
-// bluish light. That is why pictures of the night are blue.
-vec3 nightFilm(vec3 light)
-{
-    float rods = dot(light, vec3(0.05, 0.45, 0.5));
-    return mix(light, rods * vec3(0.62, 0.9, 1.35), 0.8 * (1.0 - smoothstep(-17.0, -13.5, log2(max(rods, 1e-9)))));
-}
-
 vec3 rayColour(Ray ray)
 {
     // Where the ray would meet the water, and how the water would mirror it.
@@ -269,6 +257,6 @@ vec3 rayColour(Ray ray)
     ofLake = throughFog(ofLake, fog, fogDepth(ray.origin.y, ray.direction.y, first, density, MIST_SCALE));
     float drops = rainStreaks(theScreen, iTime, 2.0 * spread * focalLength);
     vec3 seen = mix(lake ? ofLake : light, now.sky, 0.35 * rainShare(theWeather) * drops);
-    vec3 shown = filmOfLargest(exposed(nightFilm(daylightFilm(seen)), now.stops), 1.3, 8.0);
+    vec3 shown = filmOfLargest(exposed(nightSight(daylightFilm(seen)), now.stops), 1.3, 8.0);
     return encodeSRGB(shown) + ditherStep(iPixel) / 255.0;
 }

@@ -136,7 +136,7 @@ float cloudSunHeight(float sinHeight, float altitude)
 //   formula    skylight (cover + 3 above) / 4 + sunlight (x^2 X + y^2 Y + z^2 Z + lining), with (x, y, z) the
 //              components of the direction to the sun to the right, up and away from the eye, whose squares add up to
 //              1; X, Y, Z the light that arrives along each axis from the side on which the sun is; lining =
-//              2 glow(0.7) (4 cover (1 - cover) + above / 8), because thin cloud scatters light nearly straight ahead.
+//              1.5 glow(0.85) (4 cover (1 - cover) + above / 8), because thin cloud scatters light nearly straight ahead.
 //              The model is fitted by eye
 // Source: the squares as weights, J. Mitchell, G. McTaggart, C. Green, 'Shading in Valve's Source engine',
 // SIGGRAPH 2006.
@@ -147,7 +147,7 @@ vec3 cloudLight(Cloud cloud, vec3 direction, vec3 sun, vec3 sunlight, vec3 skyli
     float across = 0.03 * cloud.cover + max(0.3 * cloud.above + 0.8 * sign(x) * cloud.side, 0.0);
     float upright = sun.y > 0.0 ? cloud.above : 0.5 * shade;
     float ahead = z < 0.0 ? 0.15 * cloud.cover + 0.7 * cloud.above : 0.03 * cloud.cover + 0.2 * cloud.above;
-    float lining = 2.0 * glow(direction, sun, 0.7) * (4.0 * cloud.cover * (1.0 - cloud.cover) + 0.125 * cloud.above);
+    float lining = 1.5 * glow(direction, sun, 0.85) * (4.0 * cloud.cover * (1.0 - cloud.cover) + 0.125 * cloud.above);
     float direct = x * x * across + sun.y * sun.y * upright + z * z * ahead + lining;
     return sunlight * direct + skylight * (0.25 * cloud.cover + 0.75 * cloud.above);
 }

@@ -97,16 +97,18 @@ float lampInFog(vec3 from, vec3 direction, float far, float size)
 // lampInFog for a lamp whose light is a beam.
 //   beam     direction of the beam, length 1
 //   wide     width of the beam at the lamp (x), and its growth per scene unit (y)
+//   density  share of the light that the fog removes per scene unit
 //   the other parameters are those of lampInFog
 //   returns  per scene unit
-//   formula  exp(-q^2) / (w sin), w the beam's width where the ray is nearest to its axis, q the distance there, in
-//            widths, sin the sine of the angle between ray and beam, at least 0.045; the beam fades out where that
-//            point is behind the eye or beyond far. The model is fitted by eye
-float beamInFog(vec3 from, vec3 direction, vec3 beam, vec2 wide, float far)
+//   formula  exp(-q^2) / (w sin) exp(-density (a + t)): w is the beam's width where the ray is nearest to its axis, q the
+//            distance there, in widths, sin the sine of the angle between ray and beam, at least 0.045, a and t the
+//            distances from there to the lamp and to the eye. The beam fades out where that point is behind the eye or
+//            beyond far. The model is fitted by eye
+float beamInFog(vec3 from, vec3 direction, vec3 beam, vec2 wide, float far, float density)
 {
     float nearest = -dot(from, direction), facing = dot(beam, direction), across = max(1.0 - facing * facing, 0.002);
     float along = max((dot(from, beam) + facing * nearest) / across, 0.0), t = nearest + along * facing;
     float width = wide.x + wide.y * along, off = length(from + t * direction - along * beam) / width;
     float ahead = smoothstep(0.0, 1.0, t) * smoothstep(-0.5, 0.5, far - t);
-    return exp(-off * off) / width * ahead * inversesqrt(across);
+    return exp(-off * off - density * (along + max(t, 0.0))) / width * ahead * inversesqrt(across);
 }

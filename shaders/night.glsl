@@ -1,7 +1,7 @@
 // night.glsl - the sky of the night: the positions of the stars and the moon, their brightness, and the light of
 // a dark sky and of dusk.
 //
-// Light is linear; 1 is 4,000 cd/m^2, a third more than the sky overhead at noon (zenithLight). Directions have length
+// Light is linear; 1 is 4,000 cd/m^2, about twice the blue overhead at a clear noon. Directions have length
 // 1; x points north, y up, z east. In the frame of the stars, z points towards the celestial pole and x towards the
 // position of the sun at the March equinox. docs/19_moon_and_stars.md proves the claims made here.
 #include "noise.glsl"
@@ -32,6 +32,17 @@ mat3 skyTurn(float hour, float latitude)
     vec3 meridian = vec3(-sin(phi), cos(phi), 0.0), pole = vec3(cos(phi), sin(phi), 0.0);
     vec3 west = vec3(0.0, 0.0, -1.0);
     return transpose(mat3(c * meridian + s * west, s * meridian - c * west, pole));
+}
+
+// The hour for skyTurn at which the stars have the same positions as at an hour of another day.
+//   hour         solar time, any value
+//   declination  of the sun, degrees, in [-23.43, 23.43], in the half of the year when the declination increases
+//   formula      since the March equinox, the sun has moved among the stars by an angle, measured along the celestial
+//                equator, whose sine is tan declination / tan OBLIQUITY. The stars are ahead by this angle
+float hourOfStars(float hour, float declination)
+{
+    float sine = clamp(tan(radians(declination)) / tan(radians(OBLIQUITY)), -1.0, 1.0);
+    return hour + SIDEREAL_DAY / 360.0 * degrees(atan(sine, sqrt(1.0 - sine * sine)));
 }
 
 // The direction to the moon, as if the moon moved along the sun's path among the stars. The true path is inclined to
@@ -125,21 +136,19 @@ vec3 milkyWay(vec3 direction)
 
 // ---- Dusk and dark ----
 
-// The light of the sky overhead as a function of the sun's height, without the moon.
-//   sinHeight  of the sun
-//   returns    0.74 at noon, 0.051 at sunset, 4.5e-8 when the sun is at least 18.3 degrees below the horizon
+// The measured light of the sky overhead from sunset on, as a function of the sun's height, without the moon.
+//   sinHeight  of the sun; above 0 it counts as 0
+//   returns    0.051 at sunset, 4.5e-8 when the sun is at least 18.3 degrees below the horizon
 //   formula    27 10^(-0.4 m), m in magnitudes per square second of arc; with d the sun's depth in degrees minus 5:
 //              m = 11.84 + 1.518 d - 0.057 d^2 up to the largest value of this parabola, at d = 13.32; for d < 0 the
-//              last coefficient is +0.102, so that m is 6.8 at sunset; by day m = 3.9 + 2.9 exp(-height / 5.7)
+//              last coefficient is +0.102, so that m is 6.8 at sunset
 // Source: F. Patat, O. S. Ugolnikov, O. V. Postylyakov, 'UBVRI twilight sky brightness at ESO-Paranal', Astronomy
 // and Astrophysics 455 (2006), table 1, for depths from 5 to 15 degrees; the rest is fitted by eye.
 float zenithLight(float sinHeight)
 {
     float cosine = sqrt(max(1.0 - sinHeight * sinHeight, 0.0));
-    float depth = -degrees(atan(sinHeight, cosine)), d = min(max(depth, 0.0) - 5.0, 13.3158);
-    float magnitude = 11.84 + d * (1.518 + (d < 0.0 ? 0.102 : -0.057) * d);
-    magnitude -= 2.9 * (1.0 - exp(min(depth, 0.0) / 5.7));
-    return 27.0 * exp2(-1.3287712 * magnitude);
+    float d = min(max(-degrees(atan(sinHeight, cosine)), 0.0) - 5.0, 13.3158);
+    return 27.0 * exp2(-1.3287712 * (11.84 + d * (1.518 + (d < 0.0 ? 0.102 : -0.057) * d)));
 }
 
 // The magnitude of the faintest star that an eye sees against a sky.
@@ -167,14 +176,15 @@ vec3 airglow(float sinHeight)
     return 4.5e-8 / sqrt(1.0 - (1.0 - s * s) / 1.0302) * vec3(0.72, 1.0, 1.25);
 }
 
-// The exposure for the light of the sky, in stops. An eye compensates for a little more than one of every two stops of
-// darkness.
-//   light    of the sky overhead, from zenithLight, plus that of the moon
-//   returns  0.25 at noon, 14.2 on a dark night
-//   formula  -0.58 log2(light)
-float nightStops(float light)
+// Light as an eye sees it, by day and in the dark. In the dark the eye sees with its rods, which distinguish no colours and
+// are most sensitive to bluish light. That is why pictures of the night are blue.
+//   light    linear, white as from daylightFilm
+//   returns  the same light above 2 cd/m^2; below 0.015 cd/m^2, four fifths of it are what the rods see, in one blue
+//   formula  the rods' light is (0.05, 0.45, 0.5) times the colour; the blue has the brightness 0.88. Fitted by eye
+vec3 nightSight(vec3 light)
 {
-    return -0.58 * log2(light);
+    float rods = dot(light, vec3(0.05, 0.45, 0.5));
+    return mix(light, rods * vec3(0.62, 0.9, 1.35), 0.8 * (1.0 - smoothstep(-18.0, -11.0, log2(max(rods, 1e-9)))));
 }
 
 // ---- The moon ----
@@ -221,8 +231,8 @@ vec2 moonPoint(vec3 seen, float radius)
 //            (sin b + (pi - b) cos b) / pi. Because of the slopes, m decreases by the rise of the ground towards the
 //            sun
 // Source: H. Seeliger, 'Zur Photometrie zerstreut reflectirender Substanzen', Munich 1888; exp(-0.94 g) is fitted by
-// eye to the light of the whole moon in C. W. Allen, 'Astrophysical quantities' (1973), within 10 % from 0 to 150
-// degrees.
+// eye to the light of the whole moon according to a formula of C. W. Allen, 'Astrophysical quantities' (1973), its
+// magnitude -12.73 + 1.49 g + 0.043 g^4: within 10 % from 0 to 150 degrees.
 vec3 moonFace(sampler2D face, vec2 point, float width, vec3 toSun, float relief)
 {
     point /= max(length(point), 1.0);

@@ -3,7 +3,7 @@
 //
 // Light is linear; 1 is 4,000 cd/m^2, about twice the blue overhead at a clear noon. Light that falls on a surface is
 // given as the light that a white matt surface sends back. It ranges from 8.7, for a white surface that faces the noon
-// sun, to 6e-8 at night; hourStops gives the exposure. y is up; directions have length 1; below the horizon the sky is
+// sun, to 6e-8 at night; adaptedStops gives the exposure. y is up; directions have length 1; below the horizon the sky is
 // the same as at the horizon.
 //
 // The chapter must declare each texture as sRGB and clamp, because the textures contain light.
@@ -237,14 +237,42 @@ vec3 tableAmbient(vec3 sun)
     return exp2(skyBrightness(sun.y)) * colour;
 }
 
-// The exposure for a time of day, in stops, for exposed() of film.glsl. An eye and a camera adapt to the light,
-// but not completely: light that is fainter by 1 stop is shown darker by 0.15 stops.
-//   sinSunHeight  any sine
-//   returns       -1.7 at noon, 1.1 at sunset, 8.1 with the sun at -6 degrees, 18.4 at night
-//   formula       -2 - 0.85 log2(2^skyBrightness + 6e-8); the last term is the light of a moonless night
-float hourStops(float sinSunHeight)
+// The brightness of a colour: how strongly an eye responds to it.
+// Source: IEC 61966-2-1, the second row of the matrix from sRGB to X, Y, Z.
+float brightness(vec3 light)
 {
-    return -2.0 - 0.85 * log2(exp2(skyBrightness(max(sinSunHeight, -0.4))) + 6e-8);
+    return dot(light, vec3(0.2126, 0.7152, 0.0722));
+}
+
+// The light of the clear sky that an exposure meter on the camera reads, which is the mean brightness of the part of the
+// sky in front of the camera: 80 degrees wide and from 5 to 22 degrees high.
+//   meter    the table sky_meter.png, linear clamp: for each column of the sky's tables, the reading of a camera that
+//            looks towards the sun, away from it, or sideways; 16 bits each
+//   forward  where the camera looks, length 1
+//   sun      direction of the sun, length 1
+//   formula  2^(skyBrightness + q(a)), where q is the parabola through the three readings at a = 1, -1 and 0, and a is
+//            the cosine of the horizontal angle to the sun, times the cosine of the camera's tilt: the more steeply the
+//            camera looks up or down, the less the reading depends on where it looks
+float meteredSky(sampler2D meter, vec3 forward, vec3 sun)
+{
+    float at = (SKY_TABLE.x - 1.0) * skyUV(sun.y, 0.0).x, first = min(floor(at), SKY_TABLE.x - 2.0);
+    ivec2 column = ivec2(int(first), 0);
+    vec4 ends = mix(texelFetch(meter, column, 0), texelFetch(meter, column + ivec2(1, 0), 0), at - first);
+    vec4 side = mix(texelFetch(meter, column + ivec2(0, 1), 0), texelFetch(meter, column + ivec2(1, 1), 0), at - first);
+    vec3 reading = 8.0 / 257.0 * (256.0 * vec3(ends.xz, side.x) + vec3(ends.yw, side.y)) - 2.0;
+    float a = dot(forward.xz, sun.xz) / max(length(sun.xz), 1e-6), mean = 0.5 * (reading.x + reading.y);
+    return exp2(skyBrightness(sun.y) + reading.z + a * (0.5 * (reading.x - reading.y) + a * (mean - reading.z)));
+}
+
+// The exposure for the light that a meter reads, in stops, for exposed() of film.glsl. An eye and a camera adapt to the
+// light, but not completely: light that is fainter by 1 stop is shown darker by 0.16 stops. The picture of a sky with the
+// brightness E is therefore proportional to a power of E, and becomes darker whenever the sky does.
+//   light    as from meteredSky, > 0, with the light of the night and of the moon added
+//   returns  -1.5 at E = 1, 18.7 at 6e-8
+//   formula  -1.5 - 0.84 log2(light)
+float adaptedStops(float light)
+{
+    return -1.5 - 0.84 * log2(light);
 }
 
 // Light as a daylight film records it: white is the colour of white paper at noon in sunlight alone, whereas the

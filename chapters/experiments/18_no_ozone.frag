@@ -12,7 +12,7 @@ vec3 rayColour(Ray ray)
 {
     vec3 sun = sunNow();
     Surface surface = surfaceAlong(ray);
-    vec3 sky = 4.0 * tableSky(greySunward, greyAway, surface.leaves, sun) + NIGHT;
+    vec3 sky = 4.0 * tableSky(greySunward, greyAway, surface.leaves, sun) + darkSky(surface.leaves, sun);
     sky += tableSun(halo, surface.leaves, sun, radians(sunRadius));
     return developed(surfaceLight(surface, sky, sun), sun);
 }

@@ -29,6 +29,14 @@ vec3 decoded(vec3 v)
     return mix(v / 12.92, pow((v + 0.055) / 1.055, vec3(2.4)), step(0.04045, v));
 }
 
+// An exposure for a picture of the whole sky, in stops.
+//   sun      sine of the sun's height
+//   formula  -2 - 0.85 log2 of the light of the whole sky, with 6e-8 for that of the night
+float domeStops(float sun)
+{
+    return -2.0 - 0.85 * log2(exp2(skyBrightness(sun)) + 6e-8);
+}
+
 // The light of the sky by the selected method, in the chapter's unit.
 //   numbers  true mixes the article's colours as encoded numbers
 vec3 skyByWay(vec3 direction, vec3 sun, bool numbers)
@@ -38,7 +46,7 @@ vec3 skyByWay(vec3 direction, vec3 sun, bool numbers)
     vec3 first = halfColour(sunward, direction, sun, 1.0), second = halfColour(away, direction, sun, -1.0);
     second *= painted ? vec3(0.4, 0.32, 0.3) : vec3(1.0);
     float share = way == 1 ? shareByAngle(direction, sun) : 0.5 + 0.5 * dot(direction, sun);
-    float stops = hourStops(sun.y);
+    float stops = domeStops(sun.y);
     vec3 mixed = numbers ? exposed(decoded(mix(encodeSRGB(exposed(second, stops)), encodeSRGB(exposed(first, stops)), share)), -stops)
                          : mix(second, first, share);
     return way == 0 ? tableSky(sunward, away, direction, sun) : mixed;

@@ -14,7 +14,7 @@ vec3 rayColour(Ray ray)
     Lights lights = lightsAt(hour);
     Surface surface = surfaceAlong(ray);
     vec3 direction = normalize(vec3(surface.seen.direction.x, max(surface.seen.direction.y, 0.0), surface.seen.direction.z));
-    vec3 screen = encodeSRGB(filmOfLargest(exposed(skyLight(direction, lights) + discLight(direction, lights), lights.stops), 1.3, 6.0));
+    vec3 screen = encodeSRGB(filmOfLargest(exposed(skyLight(direction, lights) + heavens(direction, lights, 0.01), lights.stops), 1.3, 6.0));
     float turn = turned + drift * iTime, share = 2.0 * (weather - 0.5);
     float fair = cloudPanorama(cloudsFair, direction, turn, skyWidth(surface)).cover;
     float storm = cloudPanorama(cloudsStorm, direction, turn, skyWidth(surface)).cover;

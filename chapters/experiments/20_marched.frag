@@ -61,7 +61,7 @@ vec3 rayColour(Ray ray)
     vec3 clear = mix(skyLight(up, lights), overcastSky(up.y, lights.sky), overcastShare(weather));
     vec4 layer = marchedLayer(up, lights, skyWidth(surface));
     float haze = fogDepth(0.0, up.y, layerHit(0.0, up.y, FOOT), hazeDensity(weather), 1.5);
-    vec3 disc = discLeft(weather) * discLight(surface.seen.direction, lights);
-    vec3 sky = layer.a * (clear + disc) + throughFog(layer.rgb, (1.0 - layer.a) * clear, haze);
+    vec3 beyond = discLeft(weather) * heavens(surface.seen.direction, lights, skyWidth(surface));
+    vec3 sky = layer.a * (clear + beyond) + throughFog(layer.rgb, (1.0 - layer.a) * clear, haze);
     return developed(surfaceLight(surface, ray.direction, sky, lights), surface, lights);
 }

@@ -9,7 +9,7 @@
 
 vec3 rayColour(Ray ray)
 {
-    Cloud cloud = cloudsAt(vec3(ray.direction.x, max(ray.direction.y, 0.0), ray.direction.z), 2.0 * pixelSpread());
+    Cloud cloud = lowClouds(vec3(ray.direction.x, max(ray.direction.y, 0.0), ray.direction.z), 2.0 * pixelSpread());
     int third = int(3.0 * float(iPixel.x) / iResolution.x);
     float number = third == 0 ? cloud.cover : (third == 1 ? cloud.above : 0.5 + 0.5 * cloud.side);
     return vec3(ray.direction.y < 0.0 ? 0.0 : number);

@@ -44,7 +44,7 @@ vec3 skyAt(float sine)
 {
     vec3 sun = vec3(sqrt(max(1.0 - sine * sine, 0.0)), sine, 0.0);
     vec3 light = tableSky(sunward, away, vec3(0.99863, 0.05234, 0.0), sun);
-    return encodeSRGB(filmOfLargest(exposed(daylightFilm(light), hourStops(sine)), 1.35, 6.0));
+    return encodeSRGB(filmOfLargest(exposed(daylightFilm(light), adaptedStops(exp2(skyBrightness(sine)) + 6e-8)), 1.35, 6.0));
 }
 
 vec3 rayColour(Ray ray)

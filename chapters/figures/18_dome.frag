@@ -45,7 +45,7 @@ vec3 rayColour(Ray ray)
     float share = way == 1 ? 1.0 - abs(angle) / 3.1415927 : 0.5 + 0.5 * dot(direction, toSun);
     vec3 complete = mix(halfColour(away, direction, toSun, -1.0), halfColour(sunward, direction, toSun, 1.0), share);
     vec3 light = p.x < 0.0 ? tableSky(sunward, away, direction, toSun) : complete;
-    light = exposed(daylightFilm(light), hourStops(toSun.y));
+    light = exposed(daylightFilm(light), adaptedStops(exp2(skyBrightness(toSun.y)) + 6e-8));
     float rim = length(local) - RIM;
     fill(rim, encodeSRGB(filmOfLargest(light, 1.35, 6.0)), 1.0);
     stroke(rim, 1.5, INK);

@@ -25,6 +25,6 @@ vec3 rayColour(Ray ray)
     float a = dot(d.xz, sun.xz) / max(length(d.xz) * length(sun.xz), 1e-6);
     // The paint is the final colour: find the light that the exposure turns into it.
     vec3 light = mix(paintedColour(sun.y, d.y, 1.0), paintedColour(sun.y, d.y, 0.0), 0.5 + 0.5 * a);
-    light = exposed(light, -hourStops(sun.y));
+    light = exposed(light, -stopsNow(sun));
     return developed(surfaceLight(surface, light, sun), sun);
 }

@@ -7,7 +7,8 @@
 vec3 rayColour(Ray ray)
 {
     Lights lights = lightsAt(timeOfDay + hoursPerSecond * iTime);
-    lights.low *= 1.0 - 0.85 * cloudsAt(lights.sun, 0.05).cover;
+    float cover = cloudOver(lowClouds(lights.sun, 0.05), highClouds(lights.sun, 0.05)).cover;
+    lights.low *= 1.0 - 0.85 * cover;
     Surface surface = surfaceAlong(ray);
     vec3 sky = skyWithClouds(surface.seen.direction, lights, skyWidth(surface));
     return developed(surfaceLight(surface, ray.direction, sky, lights), surface, lights);

@@ -1,6 +1,6 @@
 // air.h - the light of a clear sky: sunlight that the air of a round Earth scatters, once or
 // several times. The programs that paint the tables sky_sunward, sky_away, no_ozone_sunward,
-// no_ozone_away and sun_halo use this header.
+// no_ozone_away, sun_halo and sky_meter use this header.
 //
 // Light is in the unit of the course's skies: 1 is 4,000 cd/m^2. The sun's light on a surface is
 // given as the light that a white matt surface perpendicular to the sun's rays sends back. Colours

@@ -14,6 +14,7 @@ static void clouds_fair(double u, double v, double value[3])
                                         .fray = 0.3,
                                         .size = 3.0,
                                         .thickness = 40.0,
+                                        .tuft = {{-0.1, 0.62, 1.1}, {0.5, -0.5, 0.75}},
                                         .seed = 5};
     cumulus_at(&fair, u, v, value);
 }

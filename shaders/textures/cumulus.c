@@ -120,6 +120,13 @@ static double beside_the_way(const struct tower *tower, double x, double z)
     return sqrt(north * north + east * east) / tower->clearing;
 }
 
+// How much a tuft adds to the noise along the ground.
+static double raised_by(const struct tuft *tuft, double x, double z)
+{
+    double north = x - tuft->north, east = z - tuft->east, away = sqrt(north * north + east * east);
+    return away < tuft->width ? 0.16 * (1.0 - paint_step(0.0, tuft->width, away)) : 0.0;
+}
+
 // Like inside_tower, but for the ordinary columns, which keep clear of the lines from the eye to
 // the towers.
 static double inside_column(const struct cumulus *field, double x, double z, double altitude)
@@ -128,6 +135,8 @@ static double inside_column(const struct cumulus *field, double x, double z, dou
     double ground = ground_at(x / period, z / period);
     for (int i = 0; i < TOWERS; i++)
         ground -= 0.5 * (1.0 - paint_step(0.6, 1.0, beside_the_way(field->tower + i, x, z)));
+    for (int i = 0; i < TUFTS; i++)
+        ground += raised_by(field->tuft + i, x, z);
     return height < 1.0 ? field->slope * (ground - field->threshold) - height : -1.0;
 }
 

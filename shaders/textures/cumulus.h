@@ -18,7 +18,18 @@ struct tower {
     double clearing;    // other clouds fade out closer than this to the line from eye to tower
 };
 
-enum { TOWERS = 2, CUMULUS_WIDTH = 2048, CUMULUS_HEIGHT = 320 }; // size of a panorama in texels
+// A place above which there is cloud whatever the noise is. Lengths are in kilometres.
+struct tuft {
+    double north, east; // relative to the eye
+    double width;       // distance at which it ends
+};
+
+enum {
+    TOWERS = 2,
+    TUFTS = 2,
+    CUMULUS_WIDTH = 2048,
+    CUMULUS_HEIGHT = 320
+}; // size of a panorama in texels
 
 // Lengths are in kilometres. There is a column of cloud wherever the noise along the ground is
 // above the threshold; the larger the noise, the higher the column. Puffs of two sizes make the
@@ -35,6 +46,7 @@ struct cumulus {
     double thickness; // optical depth of a kilometre of cloud
     uint32_t seed;
     struct tower tower[TOWERS]; // a tower of width 0 is ignored
+    struct tuft tuft[TUFTS];    // so is a tuft
 };
 
 // The contents of the panorama at the middle of a texel: cover, the share of the background that

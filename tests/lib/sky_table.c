@@ -33,7 +33,7 @@ float *sky_table_read(int way, int function, double number, bool encoded)
     return values;
 }
 
-// hourStops of shaders/sky_table.glsl, which uses skyBrightness, in double precision.
+// domeStops of chapters/experiments/18_ways.glsl, in double precision.
 static double stops(double sun)
 {
     double high = fmax(sun, 0.0), deep = fmax(-sun, 0.0);

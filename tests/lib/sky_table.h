@@ -22,7 +22,7 @@ double sky_table_sun(int column);
 //   number        the shader's iMouse.x: for the sky, the cosine of the horizontal angle to the sun
 float *sky_table_read(int way, int function, double number, bool encoded);
 
-// Errors of the sky in steps of 1/255, with the light exposed according to hourStops, clamped to
+// Errors of the sky in steps of 1/255, with the light exposed according to domeStops, clamped to
 // [0, 1] and encoded.
 struct sky_table_error {
     double mean, most;

@@ -193,7 +193,7 @@ void main()
     edge(inverseFogDepth(o, o, 1.5, 0.5, 1.0), 3.0);
     edge(lampInFog(-z, z, o, 0.05), 0.0);
     edge(lampInFog(-z, z, 2.0, 0.05), 2.0 * atan(20.0) / 0.05);
-    edge(beamInFog(-z, z, z, vec2(0.1, 0.02), 2.0), ANY);
+    edge(beamInFog(-z, z, z, vec2(0.1, 0.02), 2.0, 0.1), ANY);
 
     // The sky: the zenith, the nadir, the pole, midnight, new and full moon.
     edge(airMass(o), 37.99);
@@ -208,7 +208,7 @@ void main()
     edge(sunwardShare(o - 1.0, o, o), 0.0);
     edge(moreShare(o - 1.0, o - 1.0, o), 0.0);
     edge(tableSunlight(-y), vec3(0.0));
-    edge(hourStops(o - 1.0), ANY);
+    edge(adaptedStops(6e-8 + o), 18.65);
     edge(seenFromMiddle(vec3(o), y, 1.2), UP);
     edge(panoramaUV(y), vec2(0.0, 1.0));
     edge(panoramaUV(-y), vec2(0.0));
@@ -222,7 +222,8 @@ void main()
     edge(zenithLight(o - 1.0) * 1e8, 4.5);
     edge(faintestSeen(4.5e-8 + o), 6.6);
     edge(airglow(o).y / airglow(1.0).y, 5.84);
-    edge(nightStops(1.0 + o), 0.0);
+    edge(nightSight(vec3(o)), vec3(0.0));
+    edge(hourOfStars(12.0, OBLIQUITY + o), 17.98);
     edge(moonPoint(-z, 0.0045), vec2(0.0));
     edge(moonPoint(z, 0.0045), vec2(1e3));
     edge(length(moonFrame(x, 45.0)[0]), 1.0);

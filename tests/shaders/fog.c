@@ -200,16 +200,18 @@ TEST(the_light_around_a_lamp_is_the_sum_of_thin_slices)
     assert_true(worst < 2e-4);
 }
 
-// Where a ray crosses a beam at right angles, the beam's light follows a bell curve across the
-// beam, divided by the beam's width. The light is zero if the ray ends before the beam.
+// Where a ray crosses a beam at right angles, 5 units from the eye, the beam's light follows a bell
+// curve across the beam, divided by the beam's width, and fog removes light on the way from the
+// lamp and to the eye. The light is zero if the ray ends before the beam.
 TEST(a_beam_is_as_wide_as_it_says)
 {
-    const float far[4] = {9.0f}, near[4] = {4.4f};
+    const float far[4] = {9.0f, 0.05f}, near[4] = {4.4f, 0.05f};
     float *values = gpu_call(SHADER, 40, 13, BEAM, far),
           *before = gpu_call(SHADER, 40, 13, BEAM, near);
     for (int i = 0; i < 40 * 13; i++) {
         double width = (double)values[4 * i], off = (double)values[4 * i + 1];
-        assert_true(fabs((double)values[4 * i + 2] - exp(-off * off) / width) < 1e-3);
+        double left = exp(-0.05 * (1.0 + i % 40 + 5.0));
+        assert_true(fabs((double)values[4 * i + 2] - exp(-off * off) / width * left) < 1e-3);
         assert_true(before[4 * i + 2] == 0.0f);
     }
     free(values);

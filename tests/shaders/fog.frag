@@ -39,7 +39,7 @@ void main()
         FragColor = vec4(direction, lampInFog(iMouse.xyz, direction, iMouse.w, 0.05));
     } else if (function == 7) { // across a beam along the x axis, x from its lamp; off in widths of the beam
         float x = 1.0 + number.x, width = 0.1 + 0.02 * x, off = 0.25 * number.y;
-        FragColor = vec4(width, off, beamInFog(vec3(x, off * width, -5.0), vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0), vec2(0.1, 0.02), iMouse.x), 0.0);
+        FragColor = vec4(width, off, beamInFog(vec3(x, off * width, -5.0), vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0), vec2(0.1, 0.02), iMouse.x, iMouse.y), 0.0);
     } else { // above and below the horizon, from a height of 1.6; the sky's light is 9, the ground's 0
         float climb = 1e-4 * (number.x + 0.5);
         float above = skyFogDepth(1.6, climb, 0.02, 3.0), below = fogDepth(1.6, -climb, 1.6 / climb, 0.02, 3.0);

@@ -398,15 +398,14 @@ TEST(test_dusk_is_as_bright_as_measured)
         double magnitude = -2.5 * log10(light / 27.0);
         double seen = 7.93 - 5.0 * log10(1.0 + pow(10.0, 4.316 - magnitude / 5.0));
         assert_true(fabs((double)values[4 * i + 2] - seen) < 2e-4);
-        assert_true(fabs((double)values[4 * i + 3] + 0.58 * log2(light)) < 1e-3);
     }
     free(values);
     // Print the table of docs/19_moon_and_stars.md.
     values = gpu_call(SHADER, 19, 1, 5, (const float[4]){1.0f});
     for (int depth = 0; depth <= 18; depth += 3) {
         const float *v = values + 4 * depth;
-        print_message("# sun %2d degrees down: %.3g cd/m2, faintest star %.1f, %.1f stops\n", depth,
-                      4e-3 * (double)v[1], (double)v[2], (double)v[3]);
+        print_message("# sun %2d degrees down: %.3g cd/m2, faintest star %.1f\n", depth,
+                      4e-3 * (double)v[1], (double)v[2]);
     }
     free(values);
 }

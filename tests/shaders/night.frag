@@ -45,7 +45,7 @@ void main()
         // With iMouse.x > 0, the sun is as many degrees below the horizon as the index of the pixel. Otherwise the sine
         // of its height runs from -1 to 1.
         float height = iMouse.x > 0.0 ? -sin(radians(number)) : (number - 512.0) / 512.0;
-        FragColor = vec4(height, 1e6 * zenithLight(height), faintestSeen(zenithLight(height)), nightStops(zenithLight(height)));
+        FragColor = vec4(height, 1e6 * zenithLight(height), faintestSeen(zenithLight(height)), 0.0);
     } else if (Time < 7.0) {
         float x = number / 511.5 - 1.0;
         FragColor = vec4(x, moonShare(x), 1e6 * moonlight(x).g, 1e6 * airglow(x).g);

@@ -161,22 +161,82 @@ TEST(test_phase_functions_send_on_all_light)
     free(values);
 }
 
-// As the sun sinks, the exposure rises without a jump, by at most 0.85 stops for each stop of light
-// that is lost.
-TEST(test_stops_follow_the_hour)
+// The mean over the part of the sky that the meter sees, from the integral: 80 degrees wide, from 5
+// to 22 degrees high.
+//   facing  cosine of the horizontal angle between the camera and the sun
+static double mean_in_view(double sun, double facing)
 {
-    float *values = sky_table_read(0, 3, 1.0, false);
-    assert_non_null(values);
-    for (int i = 1; i < SKY_SUNS; i++) {
-        const float *here = values + 4 * i, *before = here - 4;
-        double fall = log2((double)(before[1] / here[1]));
-        assert_true(fall >= -1e-4);
-        assert_true(before[2] < 1e-6f ||
-                    fall <= 0.851 * log2((double)(here[2] / fmaxf(before[2], 1e-9f))) + 1e-3);
+    enum { ACROSS = 20, UP = 8 };
+    double sum = 0.0;
+    for (int i = 0; i < ACROSS; i++)
+        for (int j = 0; j < UP; j++) {
+            double aside = sin(MIRROR_PI / 4.5) * (2.0 * (i + 0.5) / ACROSS - 1.0), light[3];
+            double low = sin(MIRROR_PI / 36.0), high = sin(22.0 * MIRROR_PI / 180.0);
+            double azimuth = cos(acos(facing) + asin(aside));
+            air_all_of(sun, low + (high - low) * (j + 0.5) / UP, azimuth, 1.0, light);
+            sum += sqrt(0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2]);
+        }
+    return pow(sum / (ACROSS * UP), 2.0);
+}
+
+// The meter reads the mean of the sky in front of the camera. For a camera that looks towards the
+// sun, away from it or sideways, the reading comes from a table; in between it is interpolated.
+TEST(test_the_meter_reads_the_sky_in_view)
+{
+    double worst[2] = {0.0, 0.0};
+    for (int k = 0; k < 7; k++) {
+        double facing = k / 3.0 - 1.0;
+        float *values = sky_table_read(0, 3, facing, false);
+        assert_non_null(values);
+        for (int i = 8; i < SKY_SUNS; i += 17) {
+            double sun = -0.3 + 1.3 * i / (SKY_SUNS - 1);
+            double off = fabs((double)values[4 * i] / mean_in_view(sun, facing) - 1.0);
+            worst[k % 3 != 0] = fmax(worst[k % 3 != 0], off);
+        }
+        free(values);
     }
-    print_message("# stops: %.2f with the sun at -17.5 degrees, %.2f with the sun at the zenith\n",
-                  log2((double)values[1]), log2((double)values[4 * (SKY_SUNS - 1) + 1]));
-    free(values);
+    print_message("# the meter is off by at most %.1f %%, and by %.1f %% where it interpolates\n",
+                  100.0 * worst[0], 100.0 * worst[1]);
+    assert_true(worst[0] < 0.04 && worst[1] < 0.25);
+}
+
+// Print a row of the table of docs/18_sky_from_tables.md.
+//   values  what sky_table_read returns for a camera
+static void print_stops(const char *camera, const float *values)
+{
+    static const double height[5] = {48.4, 0.0, -4.0, -6.0, -8.0};
+    print_message("# stops of a camera that looks %s, with the sun at 48.4, 0, -4, -6, -8 degrees:",
+                  camera);
+    for (int i = 0; i < 5; i++) {
+        double column = (sin(height[i] * MIRROR_PI / 180.0) + 0.3) / 1.3 * (SKY_SUNS - 1);
+        int first = (int)column;
+        double low = log2((double)values[4 * first + 1]),
+               high = log2((double)values[4 * first + 5]);
+        print_message(" %.1f", low + (column - first) * (high - low));
+    }
+    print_message("\n");
+}
+
+// As the sun sinks below 10 degrees, the reading falls, whatever the camera looks at, and each stop
+// of light that is lost raises the exposure by 0.84 stops.
+TEST(test_the_exposure_follows_the_meter)
+{
+    static const char *const camera[3] = {"away from it", "sideways", "towards it"};
+    for (int k = 0; k < 5; k++) {
+        float *values = sky_table_read(0, 3, 0.5 * k - 1.0, false);
+        assert_non_null(values);
+        for (int i = 2; i < SKY_SUNS; i++) {
+            const float *here = values + 4 * i, *before = here - 4;
+            double fall = log2((double)(here[0] / before[0])),
+                   rise = log2((double)(before[1] / here[1]));
+            bool low = -0.3 + 1.3 * i / (SKY_SUNS - 1) < 0.17;
+            assert_true(!low || fall > 0.0);
+            assert_true(before[0] < 1e-7f || fabs(rise - 0.84 * fall) < 2e-3);
+        }
+        if (k % 2 == 0)
+            print_stops(camera[k / 2], values);
+        free(values);
+    }
 }
 
 // Whatever its radius, the sun's disc sends nearly the same total light, namely the sunlight. The

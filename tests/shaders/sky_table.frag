@@ -7,7 +7,6 @@
 #undef rayColour
 #include "experiments/18_ways.glsl"
 
-
 vec3 answer()
 {
     vec2 k = floor(gl_FragCoord.xy), end = iResolution.xy - 1.0;
@@ -23,8 +22,10 @@ vec3 answer()
         return tableSunlight(sun);
     if (iTime < 3.0)
         return tableAmbient(sun);
-    if (iTime < 4.0) // hourStops and skyBrightness, for the sine of the sun's height from -0.3 on
-        return exp2(vec3(0.0, hourStops(-0.3 + 1.3 * s), skyBrightness(-0.3 + 1.3 * s)));
+    if (iTime < 4.0) { // a sun from -17.5 degrees up, and a camera at the angle to it whose cosine is iMouse.x
+        float y = -0.3 + 1.3 * s, read = meteredSky(meter, vec3(iMouse.x, 0.0, sqrt(1.0 - iMouse.x * iMouse.x)), vec3(sqrt(max(1.0 - y * y, 0.0)), y, 0.0));
+        return vec3(read, exp2(adaptedStops(read)), exp2(skyBrightness(y)));
+    }
     if (iTime < 5.0) { // 0 to 14 radii above the centre of a sun that is 20 degrees high; iMouse.x: radius
         vec3 at = vec3(cos(radians(20.0)), sin(radians(20.0)), 0.0);
         vec3 up = vec3(-at.y, at.x, 0.0);
