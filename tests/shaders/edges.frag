@@ -198,8 +198,8 @@ void main()
     // The sky: the zenith, the nadir, the pole, midnight, new and full moon.
     edge(airMass(o), 37.99);
     edge(glow(y, y, o), 1.0);
-    edge(earthShadow(y, -y), 0.0);
-    edge(earthShadow(x, -y), 0.0);
+    edge(earthShadow(y, y), 0.0);
+    edge(earthShadow(y, -y), ANY);
     edge(sunDirection(o, 90.0, o).y, 0.0);
     edge(sunDirection(12.0 + o, o, o), UP);
     edge(scatteredLight(vec3(0.1), 1.0, 1.0 + o).x, 0.0904);
