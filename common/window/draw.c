@@ -54,9 +54,9 @@ void window_retitle(struct window *window)
     if (window->pace.rate > 0.0 && !rests(window))
         snprintf(rate, sizeof rate, " - %.0f fps", window->pace.rate);
     snprintf(text, sizeof text, "%.60s%s%s - %s%s%s%s%.60s%s", name_of(window),
-             window->broken ? " - error" : "", rate,
-             shader_view_name(window->renderer->view), parameter != NULL ? " - " : "", name,
-             parameter != NULL ? " = " : "", value, window->paused ? " (paused)" : "");
+             window->broken ? " - error" : "", rate, shader_view_name(window->renderer->view),
+             parameter != NULL ? " - " : "", name, parameter != NULL ? " = " : "", value,
+             window->paused ? " (paused)" : "");
     report_clean(text, sizeof text, text); // a name may have been cut within a character
     if (strcmp(text, window->title.shown) != 0)
         glfwSetWindowTitle(window->handle, text);

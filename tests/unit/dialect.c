@@ -226,8 +226,8 @@ IN_PROJECT(test_unclear_declarations_stay)
         "uniform Data { vec4 v; float k; };\n",
         "struct S { float[2] a; };\nS s;\n",
         "#ifdef GL_X\nstruct S { float a; };\n#else\nstruct S { vec2 a; };\n#endif\nS s;\n",
-        "float a[300], c[2][2];\nuniform int count;\nconst int n = 1 + 1;\n"
-        "void f() { float b[n]; float d[count]; }\n",
+        "float a[300], c[2][2];\nconst int n = 1 + 1;\nvoid f() { float b[n]; }\n",
+        "uniform int count;\nvoid f() { float d[count]; }\n",
         "#define N 2\n#undef N\n#define N 3\nfloat b[N];\n",
         "#define in in b,\nin int Time;\n",
     };
