@@ -1,7 +1,9 @@
 #!/bin/bash
 # claims.sh [PAGE...] - tests that the pages agree with `make compare` about the pictures that they compare. If no pixel
 # differs, the page must say so. Otherwise, if the page gives percentages, one of them must be the share of the pixels
-# that differ, rounded to the last digit given. With arguments, such as 03, only those pages are tested.
+# that differ, rounded to the last digit given. In the same way, the page must give the evaluations per pixel that its
+# commands with --benchmark print, or the least ratio to the bound if a command prints only that, with `tail -n 1`. With
+# arguments, such as 03, only those pages are tested.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -75,6 +77,56 @@ judge() {
     done <"$scratch/compared"
 }
 
+# Print the commands of a page that count evaluations as lines 'count COMMAND', each with a line of the numbers in the
+# text that belongs to them. For a block of commands, this is the paragraph above it and everything below it up to the
+# next heading, numbered experiment or such block; for a command in a sentence, it is the paragraph. Such a command may be
+# only the options of the chapter's program.
+counts_of() { # PAGE PROGRAM
+    awk -v program="$2" '
+        function end() { if (commands != "") printf "%snumbers%s\n", commands, numbers(region); commands = "" }
+        function numbers(line, found) {
+            gsub(/`[^`]*`|\$[^$]*\$/, "", line)
+            while (match(line, /[0-9]+\.[0-9]+|[0-9][0-9][0-9]/)) {
+                found = found " " substr(line, RSTART, RLENGTH)
+                line = substr(line, RSTART + RLENGTH)
+            }
+            return found
+        }
+        function sentences(paragraph, line, found, command) {
+            line = paragraph
+            while (match(line, /`[^`]*--benchmark [0-9][^`]*`/)) {
+                command = substr(line, RSTART + 1, RLENGTH - 2)
+                line = substr(line, RSTART + RLENGTH)
+                if (command ~ /^--/) command = program " " command
+                if (command !~ /=json/) found = found "count " command "\n"
+            }
+            if (found != "" && paragraph ~ /evaluations/) printf "%snumbers%s\n", found, numbers(paragraph)
+        }
+        /^```sh/ { block = 1; lines = ""; next }
+        block && /^```/ {
+            block = 0
+            if (lines != "") { end(); commands = lines; region = above }
+            next
+        }
+        block { if (/^build\/.*--benchmark/) lines = lines "count " $0 "\n"; next }
+        /^#|^\*\*[0-9]+\./ { end() }
+        { region = region "\n" $0 }
+        /^$/ { sentences(paragraph); above = paragraph != "" ? paragraph : above; paragraph = ""; next }
+        { paragraph = paragraph " " $0 }
+        END { sentences(paragraph); end() }' "$1"
+}
+
+# Run a command of a page with --benchmark, and print the number that the page must give.
+counted() { # COMMAND
+    local words output
+    read -r -a words <<<"${1%%|*}"
+    output=$("${words[@]}" 2>&1)
+    case $1 in
+    *'tail -n 1') sed -n 's/.*for one ray at least \([0-9.]*\).*/\1/p' <<<"$output" ;;
+    *) sed -n 's/^evaluations *mean \([0-9.]*\).*/\1/p' <<<"$output" ;;
+    esac
+}
+
 for page in docs/[0-9][0-9]_*.md; do
     name=${page#docs/}
     [[ $# = 0 || " $* " == *" ${name%%_*} "* ]] || continue
@@ -97,6 +149,25 @@ for page in docs/[0-9][0-9]_*.md; do
             ;;
         esac
     done < <(blocks_of "$page")
+done
+for page in docs/[0-9][0-9]_*.md; do
+    name=${page#docs/}
+    name=${name%.md}
+    [[ $# = 0 || " $* " == *" ${name%%_*} "* ]] || continue
+    : >"$scratch/counts"
+    while read -r what line; do
+        case $what in
+        count) echo "$line" >>"$scratch/counts" ;;
+        numbers)
+            while read -r command; do
+                number=$(counted "$command")
+                # shellcheck disable=SC2086 # a list of numbers
+                check "$name says what this command counts: $command: ${number:-nothing}" agrees "${number:-nothing}" $line
+            done <"$scratch/counts"
+            : >"$scratch/counts"
+            ;;
+        esac
+    done < <(counts_of "$page" "build/$name")
 done
 check 'some pages compare pictures' [ "$tap_count" -gt 0 ]
 plan
