@@ -99,8 +99,8 @@ float cellOthers(float x, float period, float reach)
 }
 
 // A number in [0, 1) that looks random. A cell has the same number on every machine, because it comes from an
-// integer hash and not from a sine. Its 24 bits are independent, so fract(64 cellRandom), which drops the first 6, is a
-// second number.
+// integer hash and not from a sine. If all its values are equally likely, it is correlated with fract(64 cellRandom),
+// which drops the first 6 of its 24 bits, by only 1/64: this is a second number.
 //   cell  integers; exchanging the last two has no effect, so in a plane vary the first and one of the others
 // Source: after pcg3d of M. Jarzynski, M. Olano, 'Hash functions for GPU rendering', JCGT 9 (2020),
 // whose rounds change x, y and z one after another; here all three change at once.

@@ -22,7 +22,7 @@ vec3 starFrame(vec3 direction)
 // which is 0 for most squares.
 vec3 starOf(ivec3 square)
 {
-    float random = cellRandom(square);
+    float random = cellRandom(ivec3(square.x, square.y + 64 * square.z, 0)); // which treats the last two alike
     vec2 point = 0.25 + 0.5 * fract(random * vec2(256.0, 65536.0));
     return vec3(point, random < 0.4 ? 0.2 + 5.0 * random * random : 0.0);
 }

@@ -71,6 +71,25 @@ TEST(distant_parts_may_be_left_out)
     assert_true(worst[0] > 1e-5);
 }
 
+// The loss is larger for a ladder: a thousand distances of m k, which are left out, and then others
+// that fall by k / 2 at a time.
+TEST(a_ladder_of_parts_loses_more)
+{
+    static const double expected[2] = {0.0033, 0.00006};
+    for (int m = 2; m <= 3; m++) {
+        double all = 1e9, near = 1e9;
+        for (int i = 0; i < 1000; i++)
+            all = part_union(all, m * K, K);
+        for (int i = 2 * m - 1; i >= 0; i--) {
+            all = part_union(all, 0.5 * i * K, K);
+            near = part_union(near, 0.5 * i * K, K);
+        }
+        double loss = (near - all) / K;
+        print_message("# a ladder without distances of %d k: %.5f k\n", m, loss);
+        assert_true(loss > 0.95 * expected[m - 2] && loss < exp(-3.0 * (m - 1)));
+    }
+}
+
 // The rate in proof 1 of chapter 22: a distance that lowers the value of a fold by d k multiplies
 // the difference between two folds by at most e^(-3 d).
 TEST(a_difference_shrinks_as_the_value_falls)
