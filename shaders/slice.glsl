@@ -187,7 +187,8 @@ vec3 sliceWalk(vec3 colour, vec2 point)
     return mix(colour, SLICE_HERE, max(way > 4.0 * pen ? arrow : 0.0, discCover(dot, 4.2 * pen)));
 }
 
-// Draw the axis along the bottom: scene units along the ray, 0 at the eye.
+// Draw the axis along the bottom: scene units along the ray, 0 at the eye. A number that the edge of the picture would
+// cut is left out.
 vec3 sliceAxis(vec3 colour, vec2 point, vec2 pixel)
 {
     float pen = slicePen();
@@ -207,7 +208,8 @@ vec3 sliceAxis(vec3 colour, vec2 point, vec2 pixel)
     float width = float(numberWidth(number, iSliceDecimals));
     float column = floor((tick * iSliceTick - iSliceFrame.x) / iSliceFrame.z / cell);
     vec2 corner = vec2(column - floor(0.5 * width), 3.0);
-    mark = max(mark, numberCover(number, iSliceDecimals, pixel - cell * corner));
+    bool whole = corner.x >= 1.0 && corner.x + width + 1.0 <= floor(iResolution.x / cell);
+    mark = max(mark, whole ? numberCover(number, iSliceDecimals, pixel - cell * corner) : 0.0);
     return mix(colour, SLICE_INK, mark);
 }
 

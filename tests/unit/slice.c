@@ -118,6 +118,29 @@ TEST(the_frame_shows_the_march)
     assert_float_equal(frame.left, -0.05f, 1e-6f);
 }
 
+// Beside the numbers of the axis, at the left and right edges of the picture, there is no ink:
+// whatever the zoom, no number is cut.
+TEST(no_number_of_the_axis_is_cut)
+{
+    struct renderer_inputs inputs = {.width = WIDTH,
+                                     .height = HEIGHT,
+                                     .samples = 1,
+                                     .pixel = {320, 180},
+                                     .camera = gpu_open_chapter("01_normal_colouring")};
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_SLICE));
+    for (int i = 0; i <= 60; i++) {
+        inputs.zoom = (float)pow(1.05, i - 30);
+        float *view = gpu_numbers(&inputs);
+        for (int row = 6; row < 16; row++)
+            for (int edge = 0; edge < 2; edge++) {
+                const float *colour = view + 4 * (row * WIDTH + edge * (WIDTH - 1));
+                assert_true((double)colour[1] > 0.6);
+            }
+        free(view);
+    }
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_PICTURE));
+}
+
 // Lines divide a tick whose first digit is 1 or 5 into five parts, and a tick whose first digit is
 // 2 into four parts.
 TEST(the_lines_are_round_parts_of_a_tick)
