@@ -32,10 +32,13 @@ async function driverOf(page, phone) {
     };
 }
 
-const all = {count: 0, points: 0};
-for (const [width, context] of [[1440, {viewport: {width: 1440, height: 900}}], [390, {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2}]]) {
-    for (const name of pagesWith(process.argv[2])) {
-        const {page, said} = await blankPage(browser, {context, before: record});
+// Most of a page's time is spent waiting for frames, so several pages are tested side by side.
+const LANES = 4;
+const screens = [[1440, {viewport: {width: 1440, height: 900}}], [390, {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2}]];
+const all = {count: 0, points: 0}, tasks = screens.flatMap(([width, context]) => pagesWith(process.argv[2]).map((name) => ({width, context, name})));
+async function work() {
+    for (let task; (task = tasks.shift()) !== undefined;) {
+        const {width, context, name} = task, {page, said} = await blankPage(browser, {context, before: record});
         await page.goto(`${server.at}/${name}`);
         await whole(page);
         const found = await testFigures(await driverOf(page, width === 390), name, `${width} pixels`, width === 390);
@@ -44,6 +47,7 @@ for (const [width, context] of [[1440, {viewport: {width: 1440, height: 900}}], 
         await page.close();
     }
 }
+await Promise.all(Array.from({length: LANES}, work));
 
 // ---- Figures as single files ----
 
