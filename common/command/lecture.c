@@ -415,7 +415,8 @@ void lecture_follow(void *of)
     int part, scene, scenes = window_asked(lecture->window, &part, &scene);
     int to = part > 0 ? first_of(lecture, part) : scene > 0 ? scene - 1 : lecture->at + scenes;
     to = to < 0 ? 0 : to >= lecture->count ? lecture->count - 1 : to;
-    bool mended = lecture->at != lecture->shown && watch_look(&lecture->failed);
+    bool mended = lecture->at != lecture->shown && window_looks(lecture->window) &&
+                  watch_look(&lecture->failed);
     if (part > 0 || to != lecture->at || mended) {
         lecture->at = to;
         if (!show(lecture, part == 0 && scenes < 0))

@@ -132,9 +132,10 @@ static void warn_of(struct shader_source *source, const struct declared *at)
     const char *type = at->type->text, *one = "1.0";
     char base = ' ', vector[16];
     int components = glsl_type(type, &base);
-    if (components > 1)
-        snprintf(vector, sizeof vector, "%s(1.0)", type), one = vector;
-    else if (base != 'f')
+    if (components > 1) {
+        snprintf(vector, sizeof vector, "%s(1.0)", type);
+        one = vector;
+    } else if (base != 'f')
         one = base == 'i' ? "1" : "true";
     bool parameter = base == 'f' || (components == 1 && strchr("ib", base) != NULL);
     char *why;

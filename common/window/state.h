@@ -86,6 +86,7 @@ struct window {
         double turn, frame; // when the last iteration and the last frame began
         double shown;       // when the scene was first shown
         double watch_due;   // when to check the shader's files again
+        bool looks;         // the last iteration checked them
         bool drew;          // the last iteration drew a frame
         double rate;        // frames per second; 0 before it is known
         double seconds;     // time that drawing the last picture took

@@ -179,7 +179,8 @@ static bool turn(struct window *window)
         window->dirty = true;
     }
     window->stale |= window->moved;
-    if (now >= window->pace.watch_due) {
+    window->pace.looks = now >= window->pace.watch_due;
+    if (window->pace.looks) {
         window->pace.watch_due = now + WATCH_SECONDS;
         changed = watch_look(&window->watch);
     }
@@ -320,6 +321,11 @@ int window_asked(struct window *window, int *part, int *scene)
 bool window_idles(const struct window *window)
 {
     return !window->pace.drew || glfwGetTime() > window->pace.shown + SHOWN_SECONDS;
+}
+
+bool window_looks(const struct window *window)
+{
+    return window->pace.looks;
 }
 
 void window_warn(struct window *window, const char *text)

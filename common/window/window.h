@@ -33,6 +33,10 @@ int window_asked(struct window *window, int *part, int *scene);
 // a moving picture has been shown for two seconds.
 bool window_idles(const struct window *window);
 
+// True if the last iteration checked the shader's files, which it does about ten times per second:
+// the time at which a caller checks its own files (watch_look).
+bool window_looks(const struct window *window);
+
 // Show a message in the overlay, until the view or the scene changes or the shaders are reloaded.
 void window_warn(struct window *window, const char *text);
 
