@@ -43,8 +43,9 @@ StoredCell storedCell(sampler3D grid, vec3 q)
 //   formula  linear interpolation along z, y and x, one after the other
 //   returns  scene units. If the grid has the values of a distance, the result errs by at most
 //            sqrt(3) / 2 STORED_CELL and, where the distance has a curvature, by at most 3 / 8 STORED_CELL^2 times
-//            the curvature. The result is sqrt(3)-Lipschitz. It is not a bound, but divided by sqrt(3) it is a lower
-//            bound of the distance to the surface on which it is 0
+//            the curvature. The result is sqrt(3)-Lipschitz, and 1.0005 sqrt(3)-Lipschitz if the values are rounded to
+//            16 bits. It is not a bound, but divided by this constant it is a lower bound of the distance to the surface
+//            on which it is 0
 float trilinear(StoredCell cell)
 {
     vec4 between = mix(cell.near, cell.far, cell.share.z);
@@ -53,7 +54,7 @@ float trilinear(StoredCell cell)
 }
 
 // The gradient of trilinear, which jumps from one cell to the next.
-//   returns  scene units per scene unit; its length is at most sqrt(3)
+//   returns  scene units per scene unit; its length is at most 1.0005 sqrt(3)
 vec3 trilinearGradient(StoredCell cell)
 {
     vec4 between = mix(cell.near, cell.far, cell.share.z), rise = cell.far - cell.near;
@@ -78,12 +79,12 @@ float storedDistance(sampler3D grid, vec3 p)
 
 // A step towards the surface of an interpolated distance that never crosses the surface.
 //   value    of storedDistance, scene units
-//   formula  the larger of value / sqrt(3) and value - sqrt(3) STORED_CELL: the first because of the Lipschitz
-//            constant, the second because the stored values belong to a distance, which is itself 1-Lipschitz; inside,
-//            the same with the opposite sign
+//   formula  the larger of 0.577 value and value - 1.733 STORED_CELL: the first because of the Lipschitz constant, the
+//            second because the stored values belong to a distance, which is itself 1-Lipschitz; inside, the same with
+//            the opposite sign. The factors would be 1 / sqrt(3) and sqrt(3) if the values were not rounded
 //   returns  scene units; a lower bound of the distance to the surface where storedDistance is 0
 float storedStep(float value)
 {
     float size = abs(value);
-    return sign(value) * max(0.5773502 * size, size - 1.7320508 * STORED_CELL);
+    return sign(value) * max(0.577 * size, size - 1.733 * STORED_CELL);
 }

@@ -22,7 +22,7 @@ float smallestCorner(StoredCell cell)
 float coarseValue(float g)
 {
     float size = abs(g);
-    return sign(g) * min(size - 1.7320508 * STORED_CELL, 1.7320508 * size - 6.0 * STORED_CELL);
+    return sign(g) * min(size - 1.732 * STORED_CELL, (size - 3.465 * STORED_CELL) / 0.577);
 }
 
 // storedDistance, computed from only those values that the shell keeps.

@@ -194,7 +194,6 @@ TEST(clay_stays_in_the_grid)
 // ray in the opposite direction does not.
 TEST(steps_are_safe_after_strokes)
 {
-    const double root3 = sqrt(3.0);
     unsigned char *grid = ball();
     int crossed = 0;
     work(grid, 3, 0.12);
@@ -208,7 +207,7 @@ TEST(steps_are_safe_after_strokes)
             size += aside[a] * aside[a];
         }
         double value = sculpt_value(grid, p);
-        double step = fmax(fabs(value) / root3, fabs(value) - root3 * cell);
+        double step = fmax(0.577 * fabs(value), fabs(value) - 1.733 * cell);
         for (int a = 0; a < 3; a++)
             q[a] = p[a] + step * aside[a] / sqrt(size);
         crossed += sculpt_value(grid, q) * value < -1e-9;
