@@ -222,8 +222,8 @@ export class Changes {
 
     async link() {
         await this.editor.flush();
-        const {at} = this.stage;
-        edits.show(await edits.pack(at.stem, this.stage.line, this.files));
+        const {at, program} = this.stage, [own] = this.editor.names; // a text of the reader's own belongs to the link even if it has not been changed
+        edits.show(await edits.pack(at.stem, this.stage.line + this.stage.settings, program.course.has(own) ? this.files : {[own]: program.read(own), ...this.files}));
         try {
             await navigator.clipboard.writeText(location.href);
             this.saved.textContent = 'Copied. The address of this page now contains your changes.';

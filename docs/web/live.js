@@ -123,15 +123,17 @@ class LiveChapter extends HTMLElement {
     }
 
     // Write a text into the course's files as chapters/NAME, open it in the editor and run it. Returns the exit status.
-    //   base  the text that Reset restores
-    //   stem  the chapter whose program runs the shader, with its camera
-    async play(name, base, text = base, stem = this.stem) {
+    //   base     the text that Reset restores
+    //   stem     the chapter whose program runs the shader, with its camera
+    //   options  more options for the program
+    async play(name, base, text = base, stem = this.stem, options = '') {
         this.setAttribute('stem', stem);
+        this.setAttribute('line', `--shader chapters/${name}${options}`);
         stage ??= load('');
         const {program, changes} = this.stage = await stage;
         this.scrollIntoView({block: 'nearest'}); // a file may be dropped anywhere in the page
         await changes.bring(this, `chapters/${name}`, base, text);
-        const status = await this.run(`--shader chapters/${name}`);
+        const status = await this.run();
         if (program.call('live_runs')) await this.stage.changes.toggle(true);
         return status;
     }

@@ -1,15 +1,16 @@
 // play.js - the Play page, a studio: templates to start from, named drafts with pictures that are stored on this device,
 // files that are dropped or chosen, a copy under another name, and one file for Shadertoy.
-import {keep as store, kept} from './edits.js';
+import {keep as store, kept, show as address, unpack} from './edits.js';
 import {gather, shaders} from './dropped.js';
 
 const box = document.querySelector('.drop'), chapter = box.querySelector('live-chapter'), said = box.querySelector('.said'), list = box.querySelector('.drafts');
-const field = box.querySelector('.title'), tools = [...box.querySelectorAll('.studio button, .title')];
+const studio = box.querySelector('.studio'), field = box.querySelector('.title'), tools = [...box.querySelectorAll('.studio button, .title')];
 const LIMIT = 1 << 20; // the maximum size of a file in bytes; a shader has a few thousand
-const KEY = `ray marching: drafts in ${new URL('.', location.href).pathname}`, STEM = chapter.getAttribute('stem'), SIZE = [160, 90], LOOK = 2000;
+const KEY = `ray marching: drafts in ${new URL('.', location.href).pathname}`, STEM = chapter.getAttribute('stem'), SIZE = [320, 180], LOOK = 2000;
 const BLANK = 'void mainImage(out vec4 colour, in vec2 pixel)\n{\n    colour = vec4(pixel / iResolution.xy, 0.5, 1.0);\n}\n';
 let at = ''; // the name of the open draft; '' if none is open
 let pictured = null; // the draft's text when its picture was taken
+const {type: visit} = performance.getEntriesByType('navigation')[0] ?? {};
 
 const say = (text) => { said.textContent = text; };
 const make = (name, properties = {}, ...children) => {
@@ -20,9 +21,10 @@ const make = (name, properties = {}, ...children) => {
 
 // ---- Stored drafts ----
 
-// {NAME: {base, stem, good, picture, deleted}}: the text with which a draft began, the chapter whose camera it uses, the
-// last text that was drawn, a small picture of that text, and whether the reader has deleted the draft, which can then
-// still be restored. edits.js stores the changes of a draft.
+// {NAME: {base, stem, from, options, good, picture, deleted}}: the text with which a draft began, the chapter whose camera
+// it uses, the template, the options with which it was last shown, the last text that was drawn, a small picture of that
+// text, and whether the reader has deleted the draft, which can then still be restored. edits.js stores the changes of a
+// draft.
 let unstored = null; // the drafts, if the browser does not store them
 function drafts() { try { return unstored ?? JSON.parse(localStorage.getItem(KEY)) ?? {}; } catch { return {}; } }
 function keep(all) {
@@ -50,7 +52,9 @@ function free(name) {
     }
 }
 
+let leaves = false; // while the page is being left, its policy refuses new pictures
 function show() {
+    if (leaves) return;
     const focus = list.contains(document.activeElement) && document.activeElement.id;
     list.replaceChildren(...Object.entries(drafts()).map(([name, {picture, deleted}]) => {
         const open = make('button', {type: 'button', id: `open-${name}`, className: 'draft', disabled: deleted}, ...(picture ? [make('img', {src: picture, alt: '', width: SIZE[0], height: SIZE[1]})] : []), name.replaceAll('_', ' '));
@@ -83,9 +87,9 @@ async function forget(name) {
     if (!drafts()[name]) return show(); // another tab has removed it
     keep({...drafts(), [name]: {...drafts()[name], deleted: true}});
     if (name === at) {
-        at = '';
+        opened('');
         chapter.stage?.close();
-        for (const tool of tools) tool.disabled = true;
+        chapter.hidden = studio.hidden = true;
         document.getElementById(dropOf(name)).focus();
     }
     say(`${name} is deleted. Undo restores it.`);
@@ -98,12 +102,35 @@ function restore(name) {
 
 // ---- Running ----
 
-// Run a draft: `base` is the text that Reset restores, and `text` is the current text.
-async function play(name, base, text = base, stem = STEM) {
+const still = make('img', {alt: '', hidden: true}); // the last picture, which is shown when the program is closed
+chapter.screen.prepend(still);
+
+// Note which draft is open, in this tab, because it runs again after a reload.
+function opened(name) {
     at = name;
+    try { sessionStorage.setItem(KEY, name); } catch {} // the browser stores nothing
+}
+const lastOpen = () => { try { return sessionStorage.getItem(KEY); } catch { return null; } };
+
+// The steps for a first ball, which are beside the editor while a draft that began as the ball is open.
+const steps = document.querySelector('main > ol'), guide = make('div', {className: 'guide', tabIndex: 0, ariaLabel: 'A ball in two minutes'}, steps.cloneNode(true));
+guide.setAttribute('role', 'group');
+
+// Run a draft.
+//   base     the text that Reset restores
+//   text     the current text
+//   options  more options for the program
+//   from     the id of the template's button
+async function play(name, base, text = base, {stem = STEM, options = '', from = drafts()[name]?.from} = {}) {
+    opened(name);
     field.value = name.replaceAll('_', ' ');
-    keep({...drafts(), [name]: {...drafts()[name], base, stem}});
-    const status = await chapter.play(`${name}.frag`, base, text, stem);
+    keep({...drafts(), [name]: {...drafts()[name], base, stem, from}});
+    chapter.hidden = studio.hidden = false;
+    chapter.button.textContent = '▶ Run';
+    still.hidden = true;
+    if (from === 'new=ball') chapter.append(guide);
+    else guide.remove();
+    const status = await chapter.play(`${name}.frag`, base, text, stem, options);
     if (at !== name) return; // meanwhile, the reader has opened another draft, or deleted this one
     for (const tool of tools) tool.disabled = tool.matches('.export') && status !== 0;
     pictured = null; // take a picture once the text is drawn
@@ -132,28 +159,28 @@ async function take(from) {
 }
 
 // Run a text as the draft with a name, or as another draft if there is one with this name and another text.
-async function begin(name, text) {
+async function begin(name, text, more = {}) {
     const own = free(name);
     const same = Object.entries(drafts()).find(([one, {deleted}]) => !deleted && (one === name || one.startsWith(`${name}_`)) && textOf(one) === text);
-    if (same) return reopen(same[0]);
-    await play(own, text);
+    if (same) return reopen(same[0], more);
+    await play(own, text, text, more);
     if (own !== name && at === own) said.append(` The draft ${name} is still there.`);
 }
 
 // If the last text of a draft was never drawn, it may block the browser. Then the reader chooses between this text and
 // the last one that was drawn.
-async function reopen(name) {
+async function reopen(name, more = {}) {
     await typed();
     if (!drafts()[name]) return show(); // another tab has removed it
-    const {base, stem, good} = drafts()[name], text = textOf(name), button = (words, run) => {
+    const {base, stem, options, good} = drafts()[name], text = textOf(name), button = (words, run) => {
         const made = make('button', {type: 'button', textContent: words});
         made.addEventListener('click', async () => {
-            await play(name, base, run, stem);
+            await play(name, base, run, {stem});
             if (run !== text && at === name) chapter.stage.changes.offer({[fileOf(name)]: text});
         });
         return made;
     };
-    if (good === undefined || text === good) return play(name, base, text, stem);
+    if (good === undefined || text === good) return play(name, base, text, {stem, options, ...more});
     said.replaceChildren(`The last change to ${name} was not drawn. `, button('Go back to the previous text', good), ' ', button('Run it', text));
 }
 
@@ -165,26 +192,36 @@ function draws() {
 }
 const note = (more) => { const all = drafts(); keep({...all, [at]: {...all[at], ...more, good: textOf(at)}}); };
 
-// Draw a frame and take a small picture of the canvas at once, before the browser clears the canvas.
+// Draw the picture again, also if nothing has changed, and take a small picture of the canvas at once, before the browser
+// clears the canvas.
 function picture() {
     const {program} = chapter;
-    if (document.hidden || !program.module._live_turn()) return;
+    if (document.hidden) return;
+    program.call('live_time', program.state().time);
+    if (!program.module._live_turn()) return;
     const canvas = make('canvas', {width: SIZE[0], height: SIZE[1]});
     canvas.getContext('2d').drawImage(program.canvas, 0, 0, ...SIZE);
-    note({picture: canvas.toDataURL('image/jpeg', 0.7)});
+    const taken = canvas.toDataURL('image/jpeg', 0.7);
+    still.src = taken;
+    still.hidden = false;
+    note({picture: taken});
 }
 setInterval(() => {
     if (!draws() || textOf(at) === pictured) return;
     pictured = textOf(at);
     picture();
 }, LOOK);
-addEventListener('pagehide', () => { if (draws()) note(); });
+addEventListener('pagehide', () => {
+    leaves = true;
+    if (draws()) note({options: chapter.stage.settings});
+    leaves = false;
+});
 
 // ---- Input ----
 
 for (const button of box.querySelectorAll('.starter')) button.addEventListener('click', async () => {
     const text = button.dataset.file ? await fetch(`course/${button.dataset.file}`).then((answer) => answer.text()) : BLANK;
-    await play(free(button.id.replace('new=', '')), text, text, button.dataset.stem);
+    await play(free(button.id.replace('new=', '')), text, text, {stem: button.dataset.stem, from: button.id});
 });
 box.querySelector('input[type=file]').addEventListener('change', (event) => take(event.target));
 box.addEventListener('dragover', (event) => { event.preventDefault(); box.classList.add('over'); });
@@ -200,13 +237,13 @@ field.addEventListener('change', async () => {
     await typed();
     const old = at, name = slug(field.value);
     if (!drafts()[old] || name === old) return;
-    const {base, stem} = drafts()[old], text = textOf(old), own = free(name);
-    await play(own, base, text, stem);
+    const {base, stem, from} = drafts()[old], text = textOf(old), own = free(name);
+    await play(own, base, text, {stem, from});
     if (drafts()[own] && [old, own].every((one) => textOf(one) === text)) remove(old); // otherwise, the reader was typing meanwhile
 });
 box.querySelector('.remix').addEventListener('click', async () => {
     await typed();
-    if (drafts()[at]) await play(free(at), textOf(at), textOf(at), drafts()[at].stem);
+    if (drafts()[at]) await play(free(at), textOf(at), textOf(at), drafts()[at]);
 });
 function save(text, name) {
     const url = URL.createObjectURL(new Blob([text], {type: 'text/plain'}));
@@ -221,17 +258,44 @@ box.querySelector('.export').addEventListener('click', async () => {
     save(await chapter.exported(), 'shadertoy.glsl');
     say('shadertoy.glsl is written. Paste its text into a new shader on Shadertoy.');
 });
-// A shader that a link contains becomes a draft once it runs.
-box.querySelector('.live-start')?.addEventListener('click', async () => {
-    await new Promise((ran) => { const wait = () => chapter.program?.call('live_runs') && !chapter.classList.contains('live-waits') ? ran() : requestAnimationFrame(wait); wait(); });
-    const name = /^\/course\/chapters\/([\w-]+)\.frag$/.exec(chapter.program.state().files[0])?.[1];
-    if (!name || /^\d\d_/.test(name)) return;
-    const text = chapter.program.read(fileOf(name)), own = drafts()[name];
-    if (own && !own.deleted && (kept()[fileOf(name)] ?? own.base) === text) await play(name, own.base, text);
-    else await play(free(name), text);
-});
+
+// ---- The address ----
+
+// A shader in the address of this page runs when the reader presses a button, because it is somebody else's and may block
+// the browser. It becomes a draft.
+const isLink = () => location.hash.startsWith('#edit=');
+async function invite() {
+    if (!isLink()) return;
+    await typed();
+    opened('');
+    chapter.stage?.close();
+    chapter.hidden = false;
+    studio.hidden = true;
+    chapter.button.textContent = '▶ Run the shader in this link';
+    still.hidden = true;
+}
+async function accept() {
+    try {
+        const {stem, line, files} = await unpack(), name = /--shader[ =]chapters\/([\w-]+)\.frag/.exec(line)?.[1], text = files[fileOf(name)];
+        if (text === undefined) throw new Error('there is none');
+        await begin(slug(name), text, {stem, options: line.replace(/--shader[ =]\S+/, '')});
+    } catch (error) {
+        chapter.hidden = true;
+        say(`The shader in this link cannot be read: ${error.message}.`);
+    }
+    address('');
+}
+chapter.addEventListener('click', (event) => {
+    if (event.target !== chapter.button || !isLink()) return;
+    event.stopPropagation();
+    accept();
+}, {capture: true});
+addEventListener('hashchange', invite);
 
 show();
+const own = visit === 'reload' && drafts()[lastOpen()];
+if (own && !own.deleted) reopen(lastOpen());
+else invite();
 // The button on the front page opens this page with #new=ball, which starts a draft of a ball.
 if (location.hash.startsWith('#new=')) {
     document.getElementById(location.hash.slice(1))?.click();

@@ -222,11 +222,12 @@ function starter([title, shader, picture]) {
     return `<button type="button" class="starter" id="new=${title.toLowerCase()}" data-file="chapters/${shader}.frag" data-stem="${shader.includes('/') ? '01_normal_colouring' : shader}"><img src="pictures/${name}" alt="" width="160" height="90" loading="lazy">${title}</button>`;
 }
 
-const drop = (poster) => `<div class="drop"><div class="starters" role="group" aria-label="Begin with"><button type="button" class="starter" id="new=blank">Blank sheet</button>${STARTERS.map(starter).join('')}</div><ul class="drafts" aria-label="Your drafts" hidden></ul>`
-    + `<p><label for="file">Choose files, or drop them or a folder here:</label> <input type="file" id="file" multiple accept=".frag,.glsl,.fs,.txt,.json"></p>`
-    + '<p class="studio"><label>Name <input class="title" disabled></label> <button type="button" class="remix" disabled>Remix</button> <button type="button" class="save" disabled>Download</button> '
-    + '<button type="button" class="export" disabled>Export for Shadertoy</button> <span class="said" role="status"></span></p>'
-    + `<live-chapter stem="01_normal_colouring" play><img ${poster}></live-chapter></div>`;
+// The studio: the running shader, its name and what can be done with it, and the ways to begin.
+const drop = () => '<div class="drop"><live-chapter stem="01_normal_colouring" play hidden></live-chapter>'
+    + '<p class="studio" hidden><label>Name <input class="title" disabled></label> <button type="button" class="remix" disabled>Remix</button> <button type="button" class="save" disabled>Download</button> '
+    + '<button type="button" class="export" disabled>Export for Shadertoy</button></p><p class="said" role="status"></p>'
+    + `<div class="starters" role="group" aria-label="Begin with"><button type="button" class="starter" id="new=blank">Blank sheet</button>${STARTERS.map(starter).join('')}</div><ul class="drafts" aria-label="Your drafts" hidden></ul>`
+    + '<p class="files"><label for="file">Choose files, or drop them or a folder here:</label> <input type="file" id="file" multiple accept=".frag,.glsl,.fs,.txt,.json"></p></div>';
 
 // The landscape over a day. A reader who does not play the film does not load it.
 function film() {
@@ -277,8 +278,7 @@ const pages = parted(await pagesOf(order));
 const at = (address) => pages.find((page) => page.address === address);
 at('index.html').body = at('index.html').body.replace('<div data-insert="film"></div>', film).replace('<div data-insert="gallery"></div>', gallery);
 at('index.html').sections = sectionsOf(at('index.html').body);
-at('play.html').body = at('play.html').body.replace('<div data-insert="play"></div>',
-    drop(/<live-chapter[^>]*><img ([^>]*)>/.exec(at('01_normal_colouring.html').body)[1]));
+at('play.html').body = at('play.html').body.replace('<div data-insert="play"></div>', drop);
 fs.mkdirSync(`${out}/sheets/textures`, {recursive: true});
 for (const page of pages) write(page, pages);
 for (const file of texturesIn()) fs.writeFileSync(`${out}/${file}`, textureOf(file));

@@ -374,6 +374,13 @@ export class Stage {
         return lines.join('\n') + '\n';
     }
 
+    // The options with which another program shows the reader's values, camera, view and, if it is paused, time.
+    get settings() {
+        const {parameters, camera, views, view, time, paused} = this.program.state(), moved = parameters.filter(({name, value, initial}) => !name.includes(' ') && String(value) !== String(initial));
+        return [...moved.map(({name, type, value}) => ` --set ${name}=${type === 'bool' ? value[0] !== 0 : value}`),
+            ...(views.length > 1 ? [` --camera ${camera}`, ` --view ${view}`] : []), ...(paused ? [` --time ${time}`] : [])].join('');
+    }
+
     // With the keyboard, an interactive figure begins with one of its points selected; Enter selects the next one.
     takeHandle() {
         const {handles} = this.at?.hasHands ? this.program.state() : {};

@@ -7,7 +7,7 @@ import {blankPage, check, finish, frames, launch, PATIENCE, serve, SITE} from '.
 const server = await serve(SITE), browser = await launch();
 const {page, said} = await blankPage(browser, {context: {viewport: {width: 1280, height: 900}, acceptDownloads: true}});
 await page.goto(`${server.at}/play.html`);
-await page.waitForSelector('live-chapter .live-start');
+await page.waitForSelector('.starter');
 
 const drop = (...namesAndTexts) => page.evaluate((list) => {
     const dataTransfer = new DataTransfer();
@@ -38,7 +38,7 @@ async function exported() {
     return {name: download.suggestedFilename(), text: fs.readFileSync(await download.path(), 'utf8')};
 }
 
-check('nothing can be exported before a file is opened', await page.locator('button.export').isDisabled());
+check('before a file is opened, the page shows ways to begin, and no picture of another shader', await page.locator('button.export').isHidden() && await page.locator('live-chapter').isHidden());
 await drop('Green sky (1).glsl', '// iTime\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(0.2, p.x > 0.0 ? 0.8 : 0.0, 0.4, 1.0); }\n');
 let now = await until((s) => s.rate > 0);
 await page.waitForSelector('.cm-content');
@@ -128,11 +128,17 @@ await page.waitForSelector('.live-changes:not([hidden])');
 await page.waitForFunction(() => document.querySelector('.draft[aria-current=true] img')?.src.startsWith('data:image/jpeg'));
 await page.waitForFunction(() => JSON.stringify({...localStorage}).split('// kept').length > 2); // stored both as a change and as the last text that was drawn
 check('a draft has a name and a picture', (await drafts()).includes('mine') && await page.locator('.draft').count() >= 4, await drafts());
+const thumb = await page.evaluate(async () => {
+    const picture = await createImageBitmap(await new Promise((done) => { const img = document.querySelector('.draft[aria-current=true] img'), canvas = Object.assign(document.createElement('canvas'), {width: 320, height: 180}); canvas.getContext('2d').drawImage(img, 0, 0); canvas.toBlob(done); }));
+    const context = new OffscreenCanvas(320, 180).getContext('2d');
+    context.drawImage(picture, 0, 0);
+    return [...context.getImageData(160, 90, 1, 1).data].slice(0, 3);
+});
+check('the picture of a draft that does not move shows what it draws', thumb[0] > 245 && thumb[1] < 10 && thumb[2] < 10, thumb);
 await page.reload();
-await page.getByRole('button', {name: 'mine 2', exact: true}).click();
 now = await until((s) => s.files?.[0]?.endsWith('/mine_2.frag') && s.rate > 0);
 await page.waitForSelector('.cm-content');
-check('after a reload, the draft and its changes are still there', (await text()).includes('// kept'), await text());
+check('after a reload, the draft that was open runs, with its changes', now?.runs && (await text()).includes('// kept'), await text());
 await page.getByRole('button', {name: 'Remix'}).click();
 await until((s) => s.files?.[0]?.endsWith('/mine_2_2.frag') && s.rate > 0);
 check('Remix copies the text under another name', (await drafts()).includes('mine 2 2') && (await text()).includes('// kept'), await drafts());
@@ -181,13 +187,56 @@ check('a dropped file with the name of a chapter does not become the chapter\'s 
 
 // ---- A link, and a browser that stores nothing ----
 
-const link = await page.evaluate(async (text) => (await import('./edits.js')).pack('01_normal_colouring', '--shader chapters/mine.frag', {'chapters/mine.frag': text}), flat('1.0, 1.0, 0.0'));
+const packed = (stem, name, options, text) => page.evaluate(async ([stem, name, options, text]) => (await import('./edits.js')).pack(stem, `--shader chapters/${name}.frag${options}`, {[`chapters/${name}.frag`]: text}), [stem, name, options, text]);
+const link = await packed('01_normal_colouring', 'mine', '', flat('1.0, 1.0, 0.0'));
 const mine = (await stored())['chapters/mine.frag'];
 await page.goto('about:blank');
 await page.goto(`${server.at}/play.html${link}`);
-await page.locator('.live-start').click();
+const press = page.getByRole('button', {name: 'Run the shader in this link'});
+await press.waitFor();
+check('a link shows a button on the first screen, and runs nothing before it is pressed', await press.evaluate((one) => one.getBoundingClientRect().bottom < innerHeight) && await page.locator('canvas').count() === 0);
+await press.click();
 await page.waitForFunction(() => /^mine_\d\.frag runs/.test(document.querySelector('.said').textContent));
 check('a link whose file has the name of a draft becomes another draft', mine.startsWith('// older') && (await stored())['chapters/mine.frag'] === mine && await text() === flat('1.0, 1.0, 0.0'), await stored());
+// A link carries the values, the camera and the view, and the chapter whose program runs the shader.
+await page.goto('about:blank');
+await page.goto(`${server.at}/play.html`);
+await page.locator('.starter', {hasText: 'Shadows'}).click();
+await until((s) => s.files?.[0]?.endsWith('/shadows.frag') && s.rate > 0);
+await page.waitForSelector('.cm-content');
+await page.evaluate(() => {
+    const {stage} = document.querySelector('live-chapter');
+    stage.call('live_set', 'lampHeight', 0, 2.5);
+    stage.call('live_view', 3);
+    stage.call('live_pause', 1);
+    stage.call('live_time', 4.25);
+});
+const sent = await state();
+await page.getByRole('button', {name: 'Copy a link'}).click();
+await page.waitForFunction(() => location.hash.startsWith('#edit='));
+const other = await blankPage(browser, {context: {viewport: {width: 390, height: 844}}});
+await other.page.goto(page.url());
+await other.page.getByRole('button', {name: 'Run the shader in this link'}).click();
+await other.page.waitForFunction(() => document.querySelector('.live-drawn')?.program.state().rate >= 0 && document.querySelector('.cm-content'));
+const got = await other.page.evaluate(() => document.querySelector('.live-on').program.state());
+check('a link carries the sender\'s values, camera, view and time, also if the text was not changed', got.title.startsWith('03') && got.view === sent.view && got.view !== 'picture' && Math.abs(got.time - 4.25) < 0.3 && got.parameters.find(({name}) => name === 'lampHeight').value[0] === 2.5 && String(got.camera) === String(sent.camera), got.title, got.view, got.time, got.camera);
+check('on a phone, the picture of a link is on the first screen', await other.page.evaluate(() => { const {top, bottom} = document.querySelector('.live-canvas').getBoundingClientRect(); return top >= 0 && bottom < innerHeight; }));
+check('the console reports no error', other.said.length === 0, other.said);
+await other.page.close();
+
+// The steps of the first ball are beside its text.
+await page.goto('about:blank');
+await page.goto(`${server.at}/play.html#new=ball`);
+await page.waitForSelector('.guide');
+await page.waitForSelector('.cm-content');
+const boxes = async () => [await page.locator('.live-canvas').boundingBox(), await page.locator('.guide').boundingBox(), await page.locator('.live-editor').boundingBox()];
+let [shown, beside, written] = await boxes();
+check('the four steps of the first ball are below its picture and beside its text', await page.locator('.guide li:visible').count() === 4 && beside.y >= shown.y + shown.height && written.x > beside.x + beside.width, shown, beside, written);
+await page.setViewportSize({width: 390, height: 844});
+await frames(page, 5);
+[shown, beside, written] = await boxes();
+check('on a phone, the steps are between the picture and the text', beside.y >= shown.y && written.y > beside.y + beside.height - 1, shown, beside, written);
+await page.setViewportSize({width: 1280, height: 900});
 const deaf = await blankPage(browser, {context: {acceptDownloads: true}, before: () => { Storage.prototype.setItem = () => { throw new Error('full'); }; }});
 await deaf.page.goto(`${server.at}/play.html`);
 await deaf.page.getByRole('button', {name: 'Blank sheet'}).click();
@@ -218,14 +267,14 @@ await page.evaluate(() => {
 await page.keyboard.type('nonsense ');
 await page.waitForSelector('.live-error:not([hidden])');
 await page.reload();
-await page.getByRole('button', {name: 'blank', exact: true}).click();
+await page.getByRole('button', {name: 'Run it'}).waitFor();
 check('a draft whose last text was not drawn does not run automatically', await page.getByRole('button', {name: 'Run it'}).isVisible() && await page.locator('.live-window').count() === 0);
 await page.getByRole('button', {name: 'Go back to the previous text'}).click();
 now = await until((s) => s.files?.[0]?.endsWith('/blank.frag') && s.rate > 0);
 check('a draft whose last text was not drawn runs with the previous text', now?.error === '' && now.runs);
 await page.waitForSelector('.cm-content');
 await page.locator('.starter', {hasText: 'Shadows'}).click();
-now = await until((s) => s.files?.[0]?.endsWith('/shadows.frag') && s.rate > 0);
+now = await until((s) => s.files?.[0]?.endsWith('/shadows_2.frag') && s.rate > 0);
 check('one of the templates is the chapter Shadows', now.runs && now.error === '' && now.title.startsWith('03'), now.title, now.error);
 check('the console reports no error', said.length === 0, said);
 finish();
