@@ -22,7 +22,7 @@ node "$source/site.mjs" "$out" $(pages)
 done
 # Every page with figures loads these files, so they are minified.
 build/node/node_modules/.bin/esbuild "$source"/sheet{,_parts}.js "$source/sheet.css" --minify --log-level=warning --outdir="$out"
-cp "$source"/{site.css,site.js,find.js,guess.js,question.js,play.js,dropped.js,edits.js,icon.svg} "$out/"
+cp "$source"/{site.css,site.js,find.js,guess.js,question.js,progress.js,play.js,dropped.js,edits.js,icon.svg} "$out/"
 cp "$source/LICENSE.fonts" "$out/fonts/LICENSE.txt"
 
 # With fixed times, no owners and a fixed order, the archive depends only on the files.

@@ -21,7 +21,8 @@ export class Changes {
         this.saved = part('span', {className: 'live-saved'});
         this.saved.setAttribute('role', 'status');
         this.download = stage.button('Download my.frag', () => this.hand());
-        this.element = part('div', {className: 'live-editor', hidden: true}, this.place, part('div', {className: 'live-bar'},
+        this.judge = stage.button('Check', () => stage.at.form.requestSubmit(), {className: 'live-judge'}); // of an exercise
+        this.element = part('div', {className: 'live-editor', hidden: true}, this.place, part('div', {className: 'live-bar'}, this.judge,
             stage.button('Reset this file', () => this.undo([this.editor.name])), stage.button('Copy a link', () => this.link()), this.download, this.saved));
         this.open = stage.icon('Edit', () => this.toggle(), {className: 'live-named'});
         this.open.setAttribute('aria-expanded', 'false');
@@ -187,6 +188,7 @@ export class Changes {
         this.open.setAttribute('aria-expanded', String(open));
         this.element.hidden = !open;
         this.stage.at.classList.toggle('live-editing', open);
+        this.judge.hidden = !this.stage.at.form;
         if (!open) return this.editor?.flush();
         const {Editor} = await import('./editor.js');
         this.editor ??= new Editor(this.place, {

@@ -167,7 +167,9 @@ const GREY = 'The difference: grey where the two pictures are equal';
 //   edit  opens the editor with the answer; a second argument gives the text with which the answer begins
 export async function check(form, stage, part, edit) {
     if (form.getAttribute('aria-busy') === 'true') return;
-    const verdict = form.querySelector('.live-verdict') || form.appendChild(part('div', {className: 'live-verdict'}));
+    const place = form.chapter?.matches('.live-editing') ? form.chapter : form; // below the editor, if the reader works there
+    for (const other of [form, form.chapter]) if (other !== place) other?.querySelector(':scope > .live-verdict')?.remove();
+    const verdict = place.querySelector(':scope > .live-verdict') || place.appendChild(part('div', {className: 'live-verdict'}));
     verdict.setAttribute('role', 'status');
     const say = (...words) => verdict.replaceChildren(part('p', {}, ...words));
     form.setAttribute('aria-busy', 'true');
@@ -189,6 +191,7 @@ export async function check(form, stage, part, edit) {
         const {right, words, place, rays, pictures} = await judge(name, files[own], (text) => say(text));
         say(part('strong', {textContent: right ? 'Right: ' : 'Wrong: '}), `${words}.`);
         verdict.classList.toggle('live-right', right);
+        if (right) document.dispatchEvent(new CustomEvent('solved', {detail: name}));
         if (place) verdict.append(part('p', {}, `Your ray of pixel ${place}: ${rays[0]}`, part('br'), `The solution's ray: ${rays[1]}`));
         if (pictures) verdict.append(part('div', {className: 'live-two'}, shown(part, pictures.mine, 'Yours'), shown(part, pictures.difference, GREY)));
         const others = Object.keys(files).filter((one) => one.startsWith('shaders/'));
@@ -197,6 +200,7 @@ export async function check(form, stage, part, edit) {
         say(`Your shader cannot be checked: ${error.message}.`);
     } finally {
         form.removeAttribute('aria-busy');
+        verdict.scrollIntoView({block: 'nearest'});
     }
 }
 

@@ -195,15 +195,32 @@ document.addEventListener('click', (event) => {
     else if (button) chapterOf(button, button.dataset.stem).run(button.dataset.line || '', {head: Number(button.dataset.head), tail: Number(button.dataset.tail), still: 'still' in button.dataset});
 });
 
+// The words of an exercise, from the paragraph with its number to its form.
+function wordsOf(form) {
+    const words = part('div', {className: 'guide', tabIndex: 0, ariaLabel: 'The exercise'});
+    words.setAttribute('role', 'group');
+    for (let one = form.closest('.commands'); (one = one?.previousElementSibling) && !one.matches('h2, h3, details, .commands');) {
+        words.prepend(one.cloneNode(true));
+        if (/^\d+\./.test(one.querySelector('strong')?.textContent)) break;
+    }
+    for (const one of words.querySelectorAll('[id]')) one.removeAttribute('id');
+    for (const one of words.querySelectorAll('button')) one.remove();
+    return words;
+}
+
 // Open a reader's answer to an exercise in the editor, below the form of the exercise.
 //   text  the new text of the answer; if undefined, an existing answer keeps its text, and a new one begins as a copy
 //         of the chapter's shader
 async function edit(form, text) {
     const chapter = chapterOf(form.querySelector('button'), form.dataset.stem), name = draftOf(form.dataset.exercise.replace('-', '_'));
+    chapter.form = form;
+    form.chapter = chapter;
     stage ??= load('');
     const {changes} = await stage;
     await changes.draft(chapter, name, text);
-    if (await chapter.run(`--shader ${name}`) === 0) changes.toggle(true);
+    if (await chapter.run(`--shader ${name}`) !== 0) return;
+    chapter.words ??= chapter.appendChild(wordsOf(form));
+    await changes.toggle(true);
 }
 
 // Run a <live-chapter> for a number in a sentence.

@@ -156,6 +156,38 @@
         };
     }
 
+    // ---- Progress: the chapters that are read, and the exercises that are solved ----
+
+    // A chapter is read when most sections of its story, and its summary, have been at the top of the screen.
+    const story = headings.slice(0, headings.findIndex(({id}) => id === 'what-to-remember') + 1).filter(({tagName}) => tagName === 'H2');
+    const MOST = 0.7;
+    const progress = () => ({read: {}, solved: [], ...saved('progress')});
+    function keepProgress(more) {
+        try { store.progress = JSON.stringify({...progress(), ...more}); } catch {} // the browser stores nothing
+        showProgress();
+    }
+    const isRead = (stem) => progress().read[stem] === true;
+    function visit() {
+        const stem = page.replace('.html', ''), line = headings.indexOf(reading()), here = story.filter((one) => headings.indexOf(one) <= line).at(-1);
+        if (!here || isRead(stem)) return;
+        const {read} = progress(), seen = new Set(read[stem]).add(here.id);
+        keepProgress({read: {...read, [stem]: seen.has('what-to-remember') && seen.size >= MOST * story.length || [...seen]}});
+    }
+    function showProgress() {
+        const {solved} = progress();
+        for (const link of document.querySelectorAll('.contents [data-exercises]')) {
+            const stem = link.getAttribute('href').replace(/^.*\//, '').replace('.html', ''), all = Number(link.dataset.exercises), right = solved.filter((one) => one.slice(0, 2) === stem.slice(0, 2)).length;
+            link.querySelector('.done')?.remove();
+            const words = [isRead(stem) && 'read', right > 0 && `${right} of ${all} exercises solved`].filter(Boolean).join(', ');
+            if (words) link.append(Object.assign(document.createElement('span'), {className: 'done', title: words, innerHTML: `<span aria-hidden="true">${[right > 0 && `${right}/${all}`, isRead(stem) && '✓'].filter(Boolean).join(' ')}</span><span class="unseen">, ${words}</span>`}));
+        }
+        for (const form of document.querySelectorAll('form.check')) form.classList.toggle('solved', solved.includes(form.dataset.exercise.replace('-', '_')));
+    }
+    document.addEventListener('scrollend', visit);
+    document.addEventListener('solved', ({detail}) => keepProgress({solved: [...new Set([...progress().solved, detail])].sort()}));
+    addEventListener('storage', showProgress);
+    showProgress();
+
     // ---- Boxes that scroll sideways can be reached with the keyboard ----
 
     const wide = new ResizeObserver((seen) => {

@@ -128,8 +128,10 @@ const numbered = (title) => escaped(title).replace(/^(\d\d) /, '<span class="num
 function contents(pages, here, up = '') {
     const groups = Map.groupBy ? Map.groupBy(pages, groupOf) : pages.reduce((map, page) => map.set(groupOf(page), [...map.get(groupOf(page)) ?? [], page]), new Map());
     const headed = (name, {title} = parts.find((part) => part.name === name) ?? {}) => name && `<h2>${name}${title ? ` <small>${title}</small>` : ''}</h2>`;
+    // site.js shows which chapters are read, and how many of their exercises are solved.
+    const exercises = ({stem, of, body}) => stem && !of ? ` data-exercises="${(body.match(/class="check"/g) ?? []).length}"` : '';
     return [...groups].map(([name, group]) => `${headed(name)}<ul>${group.map((page) =>
-        `<li${page.of ? ' class="under"' : ''}><a href="${up}${page.address}"${page === here ? ' aria-current="page"' : ''}>${page.of ? 'Proofs' : numbered(short(page))}</a></li>`)
+        `<li${page.of ? ' class="under"' : ''}><a href="${up}${page.address}"${exercises(page)}${page === here ? ' aria-current="page"' : ''}>${page.of ? 'Proofs' : numbered(short(page))}</a></li>`)
         .join('')}</ul>`).join('\n');
 }
 
@@ -173,7 +175,7 @@ function write(page, pages) {
         title: escaped(page.address === 'index.html' ? TITLE : `${page.title} · ${TITLE}`),
         description: escaped(words.length > 155 ? `${words.slice(0, words.lastIndexOf(' ', 155))} …` : words),
         preview: ADDRESS === '/' ? '' : `\n<meta property="og:title" content="${escaped(page.title)}">\n<meta property="og:image" content="${escaped(ADDRESS + shown)}">`,
-        head: (sheets ? `\n<link rel="stylesheet" href="sheet.css">\n<script src="${script}" defer></script>${needsParts(page.body, sheets) ? '\n<script src="sheet_parts.js" defer></script>' : ''}\n<script src="sheet.js" defer></script>` : '') + (!alive ? '' : '\n<link rel="stylesheet" href="live.css">\n<script type="module" src="live.js"></script>' + (page.address === 'play.html' ? '\n<script type="module" src="play.js"></script>' : '')),
+        head: (sheets ? `\n<link rel="stylesheet" href="sheet.css">\n<script src="${script}" defer></script>${needsParts(page.body, sheets) ? '\n<script src="sheet_parts.js" defer></script>' : ''}\n<script src="sheet.js" defer></script>` : '') + (!alive ? '' : '\n<link rel="stylesheet" href="live.css">\n<script type="module" src="live.js"></script>' + (page.address === 'play.html' ? '\n<script type="module" src="play.js"></script>' : '')) + (page.body.includes('class="progress"') ? '\n<script src="progress.js" defer></script>' : ''),
         answers: ['guess', 'question'].filter((name) => page.body.includes(`class="${name}"`)).map((name) => `<script src="${name}.js" defer></script>\n`).join(''),
         menu: list ? '<button type="button" class="menu at" popovertarget="sections">Sections</button>\n' : '',
         contents: contents(pages, page), body: page.body,

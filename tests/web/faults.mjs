@@ -61,8 +61,8 @@ await answer(2).locator('button').first().click();
 await page.waitForFunction(() => document.querySelectorAll('.live-open').length > 0);
 check('a change to one exercise does not appear in another', (await answer(2).locator('.live-verdict').textContent()).startsWith('You have not changed'));
 await answer(1).locator('button').first().click();
-await page.waitForFunction(() => /Wrong/.test(document.querySelector('form[data-exercise="00-1"] .live-verdict')?.textContent));
-check('the check of the changed exercise judges the change', /^Wrong: does not run: my\.frag:1:/.test(await answer(1).locator('.live-verdict').textContent()), await answer(1).locator('.live-verdict').textContent());
+await page.waitForFunction(() => /Wrong/.test(document.querySelector('.live-beside > .live-verdict')?.textContent));
+check('the check of the changed exercise judges the change', /^Wrong: does not run: my\.frag:1:/.test(await page.locator('.live-beside > .live-verdict').textContent()), await page.locator('.live-beside > .live-verdict').textContent());
 
 // A reader's change that makes the shader run for ever also ends in a lost context.
 await page.evaluate(() => {
