@@ -135,8 +135,9 @@ flag() { # WORDS
 # If a file gave no picture because something was not found, say so if it exists where the file was handed in.
 flag_outside() { # FILE
     local line from name folder
-    line=$(grep -m 1 -E ':[0-9]+: (#include "|sampler )' "$scratch/errors") || return
-    from=${line%%:*} name=$(sed -nE 's/^[^:]*:[0-9]+: (#include "([^"]*)"|sampler [A-Za-z0-9_]*: (.*)): (no such file beside|lies outside|an absolute path).*/\2\3/p' <<<"$line")
+    line=$(grep -m 1 -E ':[0-9]+: (#include "|sampler )|: fatal error: ' "$scratch/errors") || return
+    from=${line%%:*} name=$(sed -nE 's/^[^:]*:[0-9]+: (#include "([^"]*)"|sampler [A-Za-z0-9_]*: (.*)): (no such file beside|lies outside|an absolute path).*/\2\3/p
+        s/.*: fatal error: (.*): No such file or directory$/\1/p' <<<"$line")
     [ -n "$name" ] || return
     from=${from#"$scratch/alone"} from=$(dirname "$1")/${from%"${from##*/}"}
     [[ $name != /* ]] || from=
@@ -186,17 +187,23 @@ keep_pictures() { # N
 }
 
 # Build a C program as docs/engine.md says, and print what it does with one command line: that it writes a picture, or
-# its exit status and, if that is 1, the file and line that its message names.
+# its exit status and, if that is 1, the file and line that its message names. It can open no window. A program that only
+# waits takes no processor time.
 build_program() { # SOURCE PROGRAM
     # shellcheck disable=SC2046 # flags are words
-    "${CC:-cc}" -o "$2" "$1" $(pkg-config --cflags --libs glfw3 egl libpng) -lm 2>"$scratch/errors"
+    (ulimit -S -t "$limit" && "${CC:-cc}" -o "$2" "$1" $(pkg-config --cflags --libs glfw3 egl libpng) -lm) 2>"$scratch/errors"
 }
 outcome() { # PROGRAM OPTIONS
+    rm -f "$scratch/$1.png"
     # shellcheck disable=SC2086 # options are words
-    (ulimit -S -t "$limit" && "$scratch/$1" -o "$scratch/$1.png" $2) 2>"$scratch/errors"
+    (
+        unset DISPLAY WAYLAND_DISPLAY
+        ulimit -S -t "$limit" && timeout -k 5 $((3 * limit)) "$scratch/$1" -o "$scratch/$1.png" $2
+    ) </dev/null >/dev/null 2>"$scratch/errors"
     local status=$?
     case $status in
     0) echo 'writes a picture' ;;
+    124 | 152) echo 'does not end' ;; # timeout's own, SIGXCPU
     1) echo "ends with status 1 and names '$(sed -nE '1s/^[^:]*: ([^:]*(:[0-9]+)?).*/\1/p' "$scratch/errors")'" ;;
     *) echo "ends with status $status" ;;
     esac
@@ -216,14 +223,16 @@ compare_program() { # FILE N OPTIONS
     local right
     right_outcome "$2" "$3"
     right=$(cat "$scratch/$2.outcome")
-    said=$(outcome mine "$3") share='' status=${said#ends with status }
+    said=$(outcome mine "$3") share='' status=1
+    [ "$said" != 'does not end' ] || status=152
     [ "$said" = "$right" ] || { said="with -o FILE.png $3 the program $said, but the solution $right" && return 1; }
     [[ $right == writes* ]] || return 0
-    said=$(build/tests/judge picture "$3" "$scratch/$2.png" "$mine" "$difference")
+    said=$(build/tests/judge picture "$3" "$scratch/$2.png" "$mine" "$difference" 2>/dev/null)
     status=$?
+    [ "$status" -le 1 ] || { said="with -o FILE.png $3 the program writes no picture that can be read" && return 1; }
     { read -r _; read -r share; read -r said; } <<<"$said"
     [ -n "$verdict" ] || keep_pictures "$2"
-    [ "$status" = 0 ] || { said+=$see && return 1; }
+    [ "$status" = 0 ] || { [ ! -e "$difference" ] || said+=$see; return 1; }
 }
 
 # Print where in the folder the picture of a file's differences is stored: under the path of the file. A long name is
@@ -279,17 +288,21 @@ compare_rays() { # FILE OPTIONS
 
 # Print the names of all comparisons.
 comparisons() {
+    if [[ $solution == *.diff ]]; then
+        while read -r options; do echo "what the program does with -o FILE.png $options"; done <<<"$wanted"
+        return
+    fi
     while read -r options; do
         options=$(shown_of "$options")
         printf '%s\n' "the picture${options:+ with $options}"
     done <<<"$wanted"
-    [[ $solution == *.diff ]] || echo 'the rays of nine of its pixels'
+    echo 'the rays of nine of its pixels'
 }
 
 # Judge one file and print the verdict; its first line also fits into a table. `make check` stops at the first difference.
 # For `make marks`, all comparisons are made, and their results written to $scratch/results.
 judge() { # FILE
-    local file=$1 compare=compare_picture mine=$scratch/mine.png difference see verdict='' options shown said share shares=() status number=0 results='' rays=- unmade
+    local file=$1 source=$1 compare=compare_picture mine=$scratch/mine.png difference see verdict='' options shown said share shares=() status number=0 results='' rays=- unmade
     unmade=$(comparisons | sed 's/.*/-/' | tr -d '\n')
     printf '%s\n' "$unmade" >"$scratch/results"
     difference=$(difference_of "$file")
@@ -297,16 +310,21 @@ judge() { # FILE
     [ -f "$file" ] || { echo 'not a regular file'; return 1; }
     [ -r "$file" ] || { echo 'cannot be read'; return 1; }
     if [ -n "${MARKS-}" ]; then
-        difference=$work/$checked.difference.png see=
+        put_alone "$file"
+        source=$scratch/alone/${file##*/} difference=$work/$checked.difference.png see=
     else
         see=": see $folder/$difference" difference=$work/$difference
         mkdir -p "$(dirname "$difference")" 2>/dev/null || { echo 'its path is too long, or the disk is full'; return 1; }
     fi
     if [[ $solution == *.diff ]]; then
-        build_program "$file" "$scratch/mine" || { echo "does not compile: $(grep -m 1 error "$scratch/errors")"; return 1; }
+        build_program "$source" "$scratch/mine" || {
+            [ -z "${MARKS-}" ] || flag_outside "$file"
+            said=$(grep -m 1 error "$scratch/errors")
+            echo "does not compile: ${said//"$scratch/alone/"/}"
+            return 1
+        }
         compare=compare_program rays=
     elif [ -n "${MARKS-}" ]; then
-        put_alone "$file"
         flag_pictures "$file"
     fi
     while read -r options; do
@@ -365,7 +383,7 @@ store() { # FOLDER
 stem=$(basename "$(echo chapters/"${EXERCISE%%_*}"_*.c)" .c)
 wanted=$(pictures_of "$stem" "${EXERCISE#*_}")
 [[ $EXERCISE == [0-9]* ]] || wanted=$(sed -n "s/^$EXERCISE  *//p" tests/course/checks.txt)
-[ -n "$wanted" ] || fail 2 "EXERCISE=$EXERCISE: no solution to compare with; these exercises have one: $({ exercises; engine_exercises; } | paste -s -d ' ' -)"
+[ -n "$wanted" ] || fail 2 "EXERCISE=$EXERCISE: no solution to compare with; these exercises have one: $(all_exercises | paste -s -d ' ' -)"
 files=()
 if [ $# -gt 0 ]; then files=("$@"); elif [ -z "${STORE-}" ]; then find_files; fi
 set -f

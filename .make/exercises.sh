@@ -10,7 +10,10 @@ exercises() {
         $1 ~ /^[0-9][0-9]_[0-9]+$/ { print $1 }' \
         tests/pictures/images.txt tests/course/checks.txt | sort -u -t _ -k 1,1 -k 2,2n
 }
-engine_exercises() {
+
+# Those, and the exercises of docs/engine.md.
+all_exercises() {
+    exercises
     grep -o '^engine_[0-9]*' tests/course/checks.txt | uniq
 }
 

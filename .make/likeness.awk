@@ -1,7 +1,8 @@
 # likeness.awk - find the answers of a class that have almost the same text, whatever their names. Each text of the input
 # begins with \001 and a line of three fields, which are separated by tabs: what it is ("course", "chapter", "solution" or
-# "answer"), its exercise and its student. For each answer, prints a line of two fields: whose text is the same ("the
-# published solution" and the other students, or nothing), and "the chapter, unchanged" if that is all that it is.
+# "answer"), its exercise, and for an answer its student. A chapter is the unsolved exercise; its last field is what is
+# said of an answer that is no more than that, such as "the chapter, unchanged". For each answer, prints a line of two
+# fields: whose text is the same ("the published solution" and the other students, or nothing), and what is said of it.
 #
 # An answer that includes a published solution is the same as that, whatever else it contains.
 #
@@ -98,6 +99,7 @@ NR == 1 { next } # before the first \001
     find_declared()
     if (field[1] == "chapter") {
         chapter[field[2]] = window(1, tokens)
+        unchanged[field[2]] = field[3]
         next
     }
     for (i = 1; i + SIZE <= tokens + 1; i++) {
@@ -167,6 +169,6 @@ END {
                 named[student[b]]
                 like = like (like == "" ? "" : ", ") student[b]
             }
-        print like "\t" (whole[a] != "" && whole[a] == chapter[exercise[a]] || whole[a] == "" && extends[a] && !includes[a] ? "the chapter, unchanged" : "")
+        print like "\t" (whole[a] != "" && whole[a] == chapter[exercise[a]] || whole[a] == "" && extends[a] && !includes[a] ? unchanged[exercise[a]] : "")
     }
 }

@@ -98,7 +98,7 @@ $2 == "" {
     next
 }
 
-# A wrong answer earns points for the comparisons that hold and that do not already hold for the unsolved exercise.
+# A wrong answer earns points if more comparisons hold than for the unsolved exercise.
 {
     gained = held($7) - given[$1]
     earned = full[$1] * ($3 == "right" ? 1 : gained > 0 ? gained / (compared[$1] - given[$1]) : 0)

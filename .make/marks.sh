@@ -9,9 +9,8 @@
 # file's name before the exercise names the student. With several exercises, the name of each file contains its
 # exercise, such as 03_1 in "lamp 03_1.frag".
 #
-# A wrong answer gets points for the comparisons of check.sh that hold, except for those that also hold for the unsolved
-# exercise. build/marks/feedback/ has a page for each student, and build/marks/summary.txt says which comparisons fail most
-# often.
+# A wrong answer gets points if more comparisons of check.sh hold than for the unsolved exercise. build/marks/feedback/
+# has a page for each student, and build/marks/summary.txt says which comparisons fail most often.
 #
 # Environment: FILES; EXERCISES; CSV, a file for the table, by default build/marks/marks.csv, which may replace an older
 # table but no other file; CSV_STYLE, words as in marks.awk; STUDENTS, a list of students as in list.awk, and IDENTIFIER,
@@ -46,7 +45,7 @@ is_shared() { # FILE
 student_of() { # FILE
     local name=${1%/*}
     if is_shared "$1"; then
-        name=$(sed -E 's/[-_ .]*[0-9][0-9][-_][0-9]+.*//; s/[.]frag$//' <<<"${1##*/}")
+        name=$(sed -E 's/[-_ .]*([0-9][0-9]|engine)[-_][0-9]+.*//; s/[.](frag|c)$//' <<<"${1##*/}")
         [ -n "$name" ] || name=${1%/*} name=${name##*/}
     fi
     name=${name#./}
@@ -65,7 +64,7 @@ common_folder() {
 read -r -a exercises <<<"${EXERCISES-}"
 [ ${#exercises[@]} -gt 0 ] || fail 2 "which exercises? For example: make marks FILES='hand-in/*/*.frag' EXERCISES='03_1 03_2' CSV=marks.csv"
 for exercise in "${exercises[@]}"; do
-    exercises | grep -qxF -e "$exercise" || fail 2 "EXERCISES: $exercise: no solution to compare with; these exercises have one: $(exercises | paste -s -d ' ' -)"
+    all_exercises | grep -qxF -e "$exercise" || fail 2 "EXERCISES: $exercise: no solution to compare with; these exercises have one: $(all_exercises | paste -s -d ' ' -)"
 done
 files=()
 [ -z "${FILES-}" ] || FILE='' find_files
@@ -186,10 +185,15 @@ while IFS=$'\t' read -r exercise file mark verdict picture right difference resu
 done <"$new/judged" || exit 2
 {
     awk 'FNR == 1 { print "\001course" } { print }' \
-        chapters/[0-9]*.frag chapters/*.glsl chapters/{experiments,figures,first_steps}/*.frag shaders/*.glsl /dev/null
+        chapters/[0-9]*.frag chapters/*.glsl chapters/{experiments,figures,first_steps}/*.frag chapters/first_steps/*.c shaders/*.glsl /dev/null
     for exercise in "${exercises[@]}"; do
-        text chapter "$exercise" '' "$(echo chapters/"${exercise%_*}"_*.frag)"
-        text solution "$exercise" '' "$(echo chapters/solutions/"${exercise%_*}"_*_"${exercise#*_}".frag)"
+        unsolved=$(echo chapters/"${exercise%_*}"_*.frag) solution=$(echo chapters/solutions/"${exercise%_*}"_*_"${exercise#*_}".frag) what=chapter
+        if [[ $exercise == engine_* ]]; then
+            unsolved=chapters/first_steps/engine_6.c solution=$new/solution.c what=engine
+            patch -s -o "$solution" "$unsolved" "chapters/solutions/$exercise.diff" || exit 2
+        fi
+        text chapter "$exercise" "the $what, unchanged" "$unsolved"
+        text solution "$exercise" '' "$solution"
     done
     cat "$new/texts"
 } | awk -f .make/likeness.awk | paste "$new/named" - >"$new/like" || exit 2

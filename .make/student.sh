@@ -28,7 +28,7 @@ if [ ! -e "$stored/begun" ] || [ -n "$(find chapters shaders common tests/course
 fi
 sweep "$stored"
 left=()
-for exercise in ${EXERCISES:-$(exercises) $(engine_exercises)}; do
+for exercise in ${EXERCISES:-$(all_exercises)}; do
     [ -e "$stored/$exercise" ] || left+=("$exercise")
 done
 if [ ${#left[@]} -gt 0 ]; then

@@ -100,7 +100,7 @@ course='' solution='a solution'
 like() {
     local text student=({a..z}) number=0
     {
-        printf '\001course\n%s\001chapter\t00_2\t\nint mine; #define mine\n\001solution\t00_2\t\n%s' "$course" "$solution"
+        printf '\001course\n%s\001chapter\t00_2\tthe chapter, unchanged\nint mine; #define mine\n\001solution\t00_2\t\n%s' "$course" "$solution"
         for text; do printf '\001answer\t00_2\t%s\n%s' "${student[number]}" "$text" && number=$((number + 1)); done
     } | awk -f .make/likeness.awk | cut -f "${column:-1}" | paste -s -d '|' -
 }
@@ -285,6 +285,40 @@ pixels() { # the picture in the page is that of the difference
 check 'the last of them is the difference' pixels
 unset WEIGHTS STUDENTS
 class=$outer
+
+# ---- The engine ----
+
+if [ -x build/first_steps/engine_6 ]; then
+    outer=$class class=$scratch/engine
+    step=chapters/first_steps/engine_6.c
+    patch -s -o "$scratch/right.c" $step chapters/solutions/engine_1.diff
+    sed 's/double time = 0.0;/puts("drawing"); &/' "$scratch/right.c" | hand_in ada engine_1.c
+    hand_in ben engine_1.c <$step
+    echo '#include "../ada/engine_1.c"' | hand_in cleo engine_1.c
+    echo 'int main(void) { return 0; }' | hand_in dan 'my engine-1.c'
+    sed 's/WIDTH = 640/WIDTH = 320/' "$scratch/right.c" | hand_in finn engine_1.c
+    sed 's/double time = 0.0;/double time = 2.0;/' "$scratch/right.c" | hand_in gil engine_1.c
+    printf '#include "main.h"\n' | hand_in hal engine_1.c
+    hand_in hal main.h <"$scratch/right.c"
+    printf '#include <unistd.h>\nint main(void)\n{\n    for (;;)\n        pause();\n}\n' | hand_in ida engine_1.c
+    CHECK_LIMIT=1 check 'programs for the engine are marked' marks "$class/*/*.c" 'engine_1 00_2' || sed 's/^/# /' "$scratch/said"
+    check 'a right program is right, whatever it prints' has ada engine_1 right 1 'the published solution' '' 'matches .*'
+    check 'the unsolved engine is named' has ben engine_1 wrong 0 '' 'the engine, unchanged' 'with -o FILE.png -t 0.7 .* ends with status 2, .*'
+    check 'a program does not see the files of another student' has cleo engine_1 wrong 0 '' 'asks for ../ada/engine_1.c, which is not its own' 'does not compile: engine_1.c:1:.*'
+    check 'a program that writes no picture is wrong' has dan engine_1 wrong 0 '' '' '.* writes no picture that can be read'
+    check 'so is one that writes a picture of another size' has finn engine_1 wrong 0 'the published solution' '' 'with -t 0.7 .*, the picture has 320x360 pixels instead of 640x360'
+    check 'one that mends one thing and breaks another gains nothing' has gil engine_1 wrong 0 'the published solution' '' 'with chapters/00_first_scene.frag, .* differ .*'
+    check 'a program sees the files of its student' has hal engine_1 right 1 'the published solution' '' 'matches .*'
+    check 'a program that waits for ever is wrong' has ida engine_1 wrong 0 '' '' '.* the program does not end, .*'
+    programs() {
+        grep -q '^     4  fail: what the program does with -o FILE.png chapters/00_first_scene.frag$' build/marks/summary.txt &&
+            grep -q '^<p>Your program does not compile. The first message is: <code>engine_1.c:1:' build/marks/feedback/cleo.html
+    }
+    check 'the summary and the pages name what programs do' programs
+    class=$outer
+else
+    skip 'the marks of the engine' 'this machine has no GLFW or no EGL'
+fi
 
 # ---- Requests that are refused ----
 

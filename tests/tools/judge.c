@@ -3,7 +3,7 @@
 //
 //   judge picture WITH RIGHT.png MINE.png DIFFERENCE.png
 //       Prints the position and the share of the difference and, if MINE is wrong, what is wrong
-//       with it, each on a line; if MINE is wrong, also writes DIFFERENCE.
+//       with it, each on a line; if MINE is wrong, and has the right size, also writes DIFFERENCE.
 //   judge rays WITH PIXELS RIGHT MINE
 //       Prints what is wrong with the rays of MINE. Both files are outputs of --probe.
 //   judge ray PROBE
@@ -42,9 +42,12 @@ static int judge_files(const char *with, char **path)
     struct image right = {0}, mine = {0}, shown = {0};
     int status = NOT_JUDGED;
     if (image_read_png(&right, path[0]) && image_read_png(&mine, path[1])) {
-        if (right.width != mine.width || right.height != mine.height)
-            report("%s: is not a picture of %dx%d", path[1], right.width, right.height);
-        else if (image_create(&shown, right.width, right.height)) {
+        if (right.width != mine.width || right.height != mine.height) {
+            printf("0,0\n1\n%s%s%sthe picture has %dx%d pixels instead of %dx%d\n",
+                   with[0] != '\0' ? "with " : "", with, with[0] != '\0' ? ", " : "", mine.width,
+                   mine.height, right.width, right.height);
+            status = WRONG;
+        } else if (image_create(&shown, right.width, right.height)) {
             const char *words = judge_picture(with, right.width, right.height, right.pixel,
                                               mine.pixel, shown.pixel);
             printf("%s\n%.9f\n", judge_pixel(), judge_share());
