@@ -5,7 +5,8 @@
 # exercise of docs/engine.md, such as EXERCISE=engine_1, FILE is a C program, which is built and run.
 #
 # The course for students has no solutions. For each exercise, `make student` has stored what a check needs of the
-# solution in tests/course/stored/EXERCISE/: its pictures N.png, its rays, and what its program does (N.outcome).
+# solution in tests/course/stored/EXERCISE/: its pictures N.png, or N.added.png, which is added to the picture of the
+# chapter as it was, tests/course/stored/NN_name.frag; its rays; and what its program does (N.outcome).
 #
 # Environment: EXERCISE; FILE, or FILES for a table with one line for each file. FILES is a pattern, or several patterns
 # separated by spaces. Pictures of the differences are left in build/check/EXERCISE/, each under the path of its file;
@@ -88,11 +89,14 @@ list_wrong() { # FILE OPTIONS WORDS [X,Y]
     fi
 }
 
-# Make the solution's picture for line N of the options, and the solution's nine rays, when they are first needed.
+# Make the solution's picture for line N of the options, and the solution's nine rays, when they are first needed. A
+# stored picture may be what the solution adds to that of the unsolved exercise.
 right_picture() { # N OPTIONS
-    [ -e "$scratch/$1.png" ] ||
-        render "$2" "$solution" -o "$scratch/$1.png" >/dev/null 2>"$scratch/errors" ||
-        fail 2 "$solution: $(head -n 1 "$scratch/errors")"
+    local shader=$solution picture=$scratch/$1.png
+    [ ! -e "$picture" ] || return 0
+    [ ! -e "$scratch/$1.added.png" ] || shader=$unsolved picture=$scratch/unsolved.png
+    render "$2" "$shader" -o "$picture" >/dev/null 2>"$scratch/errors" || fail 2 "$shader: $(head -n 1 "$scratch/errors")"
+    [ "$shader" = "$solution" ] || build/tests/compare --add "$picture" "$scratch/$1.added.png" "$scratch/$1.png" || exit 2
 }
 right_rays() { # OPTIONS PLACES
     # shellcheck disable=SC2086 # the pixels are separate words
@@ -361,20 +365,29 @@ store() { # FOLDER
         number=$((number + 1))
         if [[ $solution == *.diff ]]; then
             right_outcome "$number" "$options"
-            continue
+        else
+            right_picture "$number" "$options"
+            [ "$number" != 1 ] || right_rays "$options" "$(places_of "$options")"
         fi
-        right_picture "$number" "$options"
-        [ "$number" != 1 ] || right_rays "$options" "$(places_of "$options")"
+        [ ! -e "$scratch/$number.png" ] || store_picture "$1" "$number" "$options"
     done <<<"$wanted"
     set +f
-    for picture in "$scratch"/[0-9]*.png; do
-        build/tests/compare --pack "$picture" "$1/${picture##*/}"
-        [ $? -le 1 ] || exit 2
-    done
     set -- "$1" "$scratch"/*.outcome "$scratch"/rays
     for picture in "${@:2}"; do
         [ ! -e "$picture" ] || cp "$picture" "$1" || exit 2
     done
+}
+
+# Store the solution's picture for line N of the options: what it adds to the picture of the unsolved exercise, or all
+# of it if the unsolved exercise has no such picture, or if that takes less space: --pack saves a quarter of it.
+store_picture() { # FOLDER N OPTIONS
+    local picture=$scratch/$2.png added=$1/$2.added.png
+    if [[ $solution != *.diff ]] && render "$3" "$unsolved" -o "$scratch/unsolved.png" >/dev/null 2>&1; then
+        build/tests/compare --subtract "$picture" "$scratch/unsolved.png" "$added" || exit 2
+        [ $((4 * $(wc -c <"$added"))) -ge $((3 * $(wc -c <"$picture"))) ] || return 0
+        rm "$added"
+    fi
+    build/tests/compare --pack "$picture" "$1/$2.png" || exit 2
 }
 
 [ -n "${EXERCISE-}" ] || fail 2 "which exercise? For example: make check EXERCISE=03_2 FILE=my.frag"
@@ -404,6 +417,8 @@ scratch=$(mktemp -d "${TMPDIR:-/tmp}/ray-check.XXXXXX") || exit 2
 stored=tests/course/stored/$EXERCISE
 if [ ! -e "$solution" ]; then
     cp -R "$stored/." "$scratch" 2>/dev/null || fail 2 "EXERCISE=$EXERCISE: neither $solution nor $stored exists"
+    # A student may have changed the chapter itself.
+    [ ! -e "tests/course/stored/$stem.frag" ] || unsolved=tests/course/stored/$stem.frag
 elif [[ $EXERCISE != [0-9]* ]]; then
     command -v patch >/dev/null || fail 2 "EXERCISE=$EXERCISE: needs patch: make setup installs it"
     if ! patch -s -o "$scratch/right.c" chapters/first_steps/engine_6.c "$solution" ||

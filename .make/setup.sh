@@ -232,6 +232,7 @@ need_student() {
     need_run
     need 'git' 'git|git|git|git' has_command git
     need 'patch' 'patch|patch|patch|-' has_command patch
+    need 'pngquant (small pictures)' 'pngquant|pngquant|pngquant|pngquant' has_command pngquant
     need 'zip' 'zip|zip|zip|zip' has_command zip
 }
 

@@ -32,7 +32,7 @@ for exercise in ${EXERCISES:-$(all_exercises)}; do
     [ -e "$stored/$exercise" ] || left+=("$exercise")
 done
 if [ ${#left[@]} -gt 0 ]; then
-    echo "Drawing what make check needs for ${#left[@]} solutions; all solutions together take some minutes."
+    echo "Drawing what make check needs for ${#left[@]} solutions; all of them together take two minutes."
     printf '%s\n' "${left[@]}" | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I '{}' \
         env EXERCISE='{}' STORE="$stored/{}" .make/check.sh || exit 2
 fi
@@ -61,15 +61,25 @@ git ls-files -z | tar --null -T - -cf - | tar -C "$made" -xf -
 )
 mkdir "$made/tests/course/stored"
 for exercise in "$stored"/*_*; do cp -R "$exercise" "$made/tests/course/stored/"; done
+cp chapters/[0-9][0-9]_*.frag "$made/tests/course/stored/"
 
 for page in README.md docs/README.md docs/platforms.md docs/[0-9]*.md docs/engine.md; do
     awk -f .make/student.awk "$page" | awk -v name="$page" -v list=.make/student/replaced.txt -f .make/student/replace.awk >"$made/$page"
 done
 
-# Keep only those pictures of solutions that a page shows.
-for picture in "$made"/tests/references/*-solution-*.png; do
-    cat "$made"/docs/*.md | grep -q -F "${picture##*/}" || rm "$picture"
-done
+# Keep only those pictures that a file names, such as a page, and the first one of each chapter. They are for the eye, so
+# 256 colours in each are enough, and the suites that compare them are left out.
+{
+    grep -rohaE '[A-Za-z0-9_-]+[.]png' "$made" --include='*.md' --include='*.mjs' --include='*.c' --include='*.sh'
+    find "$made/docs" -name '[0-9][0-9]_*.md' | sed 's/.*\///; s/md$/png/'
+} | sort -u >"$new/named"
+find "$made/tests/references" -name '*.png' | awk -F / -v list="$new/named" '
+    BEGIN { while ((getline name <list) > 0) named[name] }
+    !($NF in named)' | tr '\n' '\0' | xargs -0 rm -f
+find "$made/tests/references" -name '*.png' -print0 |
+    xargs -0 -P "$(getconf _NPROCESSORS_ONLN)" -n 16 pngquant --speed 7 --skip-if-larger --strip --force --ext .png ||
+    [ $? = 123 ] # some would be larger
+rm -f "$made"/tests/pictures/images.sh "$made"/tests/pictures/weak.sh
 
 # Write the list of the exercises and their pictures.
 {

@@ -38,4 +38,22 @@ check 'three pictures are refused' says 2 'make: which two pictures? .*' one one
 asks() { make -s compare PICTURES="$scratch/$1.png $scratch/$2.png" >"$scratch/said" 2>&1; }
 check 'make compare succeeds for pictures that differ' asks one other
 check 'make compare fails for a text file' eval '! asks one text'
+
+# make student stores what a solution adds to a picture.
+tool() { build/tests/compare "$@" >"$scratch/said" 2>&1; }
+added() {
+    tool --subtract "$scratch"/{other,one,added}.png && tool --add "$scratch"/{one,added,sum}.png && tool "$scratch"/{other,sum}.png &&
+        grep -q ' largest 0$' "$scratch/said" && [ "$(wc -c <"$scratch/added.png")" -lt "$(wc -c <"$scratch/other.png")" ]
+}
+check 'a picture is the sum of another and what it adds to it' added
+# In a white picture, modulo 256 the sum of a brighter picture would be black.
+draw white -p lampColour=4,4,4 -p ambient=1,1,1
+near() {
+    tool --subtract "$scratch"/{white,one,added}.png && tool --add "$scratch"/{shifted,added,sum}.png
+    tool "$scratch"/{white,sum}.png
+    [ "$(sed 's/.* largest \([0-9]*\).*/\1/' "$scratch/said")" -le 3 ] || { sed 's/^/# /' "$scratch/said" && return 1; }
+}
+check 'a picture that differs slightly has a sum that differs slightly' near
+unfit() { tool --add "$scratch"/{one,small,sum}.png; [ $? = 2 ] && grep -q '128x72 and one of 64x36 cannot be added' "$scratch/said"; }
+check 'pictures of different sizes are not added' unfit
 plan

@@ -1,18 +1,18 @@
 #!/bin/bash
 # student.sh - tests `make student`: the course for students has no solutions and no answers, its links work, and `make
-# check` gives the same verdicts there as in the whole course. For this test, only two exercises are stored.
+# check` gives the same verdicts there as in the whole course. For this test, only three exercises are stored.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
-if ! command -v zip >/dev/null || ! git rev-parse 2>/dev/null; then
-    skip 'the course for students' 'this machine has no zip, or the project is not a checkout of git'
+if ! command -v zip >/dev/null || ! command -v pngquant >/dev/null || ! git rev-parse 2>/dev/null; then
+    skip 'the course for students' 'this machine has no zip or no pngquant, or the project is not a checkout of git'
     plan
     exit
 fi
 open_scratch
 # shellcheck disable=SC2154 # open_scratch sets scratch
 course=$scratch/out/ray-marching
-student() { STUDENT_FOLDER=$scratch/out EXERCISES='00_2 engine_1' .make/student.sh >"$scratch/said" 2>&1; }
+student() { STUDENT_FOLDER=$scratch/out EXERCISES='00_2 01_6 engine_1' .make/student.sh >"$scratch/said" 2>&1; }
 check_empty() { check "$1" [ ! -s "$2" ] || head -n 8 "$2" | sed 's/^/# /'; } # NAME FILE
 
 check 'make student packs the course' student || sed 's/^/# /' "$scratch/said"
@@ -50,6 +50,16 @@ check_empty 'the target of every link and every picture in the course for studen
 grep -n 'solutions/' "$course/tests/pictures/images.txt" >"$scratch/found"
 check_empty 'the gallery of the course for students renders no picture of a solution' "$scratch/found"
 check 'the course for students has a dev container, a workflow and a folder for answers' [ -e "$course/.devcontainer/devcontainer.json" -a -e "$course/.github/workflows/check.yml" -a -x "$course/answers/check.sh" ]
+unnamed() { cat "$course"/README.md "$course"/docs/*.md | grep -qF 01_normal_colouring-steps.png || [ ! -e "$course/tests/references/01_normal_colouring-steps.png" ]; }
+check 'a picture that no page shows is left out' unnamed
+firsts() { for page in docs/[0-9][0-9]_*.md; do [ -e "$course/tests/references/$(basename "$page" .md).png" ] || return; done; }
+check 'the first picture of each chapter is there' firsts
+small() { du -sk "$course/tests/references" | awk '{ print "# " $1 " KB of pictures"; exit !($1 < 15000) }'; }
+check 'all pictures of the pages together have at most 15 MB' small
+added() { [ "$(ls "$course/tests/course/stored/00_2")" = "1.added.png
+2.added.png
+rays" ] && [ "$(cat "$course"/tests/course/stored/00_2/*.png | wc -c)" -lt 40000 ]; }
+check 'of a solution'"'"'s picture, only what it adds to the chapter'"'"'s is stored' added
 files() { (cd "$scratch/out" && find ray-marching -type f ! -path '*/.git/*'); }
 zipped() { unzip -Z1 "$scratch/out/ray-marching.zip" 2>/dev/null || python3 -m zipfile -l "$scratch/out/ray-marching.zip" | awk 'NR > 1 { print $1 }'; }
 check 'the zip has as many files as the folder' diff <(files | wc -l) <(zipped | wc -l)
@@ -85,7 +95,14 @@ judged() { # EXERCISE FILE WORDS STATUS
 }
 right=chapters/solutions/00_first_scene_2.frag
 { cat $right; echo '#define MINE'; } >"$scratch/mine.frag"
-check 'a right answer is accepted' judged 00_2 "$scratch/mine.frag" ': right: matches the solution in 2 pictures' 0
+check 'a right answer is accepted' judged 00_2 "$scratch/mine.frag" ': right: matches the solution in 2 pictures: no pixel differs ' 0
+edited() {
+    sed -i 's/0.5 \* Time/0.7 + Time/' "$course/chapters/00_first_scene.frag" && judged 00_2 "$scratch/mine.frag" ': right: ' 0 &&
+        cp chapters/00_first_scene.frag "$course/chapters/"
+}
+check 'a student may have changed the chapter' edited
+whole() { [ -e "$course/tests/course/stored/01_6/1.png" ] && judged 01_6 "$root/chapters/solutions/01_normal_colouring_6.frag" ': right: matches ' 0; }
+check 'all of it is stored if the chapter lacks a parameter' whole
 echo '#include "solutions/00_first_scene_2.frag"' >"$scratch/includes.frag"
 check 'an answer that includes the published solution does not run' judged 00_2 "$scratch/includes.frag" ': wrong: does not run' 1
 sed 's/0.5 \* Time/Time/' $right >"$scratch/wrong.frag"

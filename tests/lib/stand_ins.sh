@@ -114,7 +114,7 @@ END
 moment && printf 'a drawing of the version ' && moment && cat "$project/version"
 END
     done
-    for tool in pandoc ffmpeg zip cwebp; do
+    for tool in pandoc ffmpeg zip cwebp pngquant; do
         stand_in "$scratch/bin/$tool" <<'END'
 [ ! -e "$project/broken" ] || { echo 'Error: broken' >&2; exit 1; }
 [ "${0##*/}" = zip ] && cat >/dev/null
