@@ -1,7 +1,7 @@
 // Near and far look alike: drag the ball, then change its depth. With parallel rays, the ball keeps its position and
 // its size in the picture, although it moves from the front of the tower to the terrace far behind the tower. Only the
 // ball's shadow moves, and the tower begins to hide the ball. If you lower the parameter `orthographic` a little, the
-// ball shrinks as it moves away.
+// ball shrinks as it moves away. In a page, drag the picture itself to look at the building from another side.
 #include "main.glsl"
 #define sceneDistance buildingDistance
 #define colourAt buildingColour
@@ -14,9 +14,11 @@
 uniform vec3  ball;  // -0.9, 2.3, -0.2 in [-3, 7] step 0.1, handle scene units: the ball at depth 0
 uniform float depth; // 0 in [0, 3.4] step 0.1, scene units: how far the ball has moved along the view
 
+const vec3 ALONG = vec3(0.57735027, -0.57735027, -0.57735027); // the direction of the chapter's view
+
 float ballDistance(vec3 p)
 {
-    return length(p - ball - depth * iCameraForward) - 0.35;
+    return length(p - ball - depth * ALONG) - 0.35;
 }
 
 float sceneDistance(vec3 p)

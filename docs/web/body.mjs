@@ -5,7 +5,7 @@ import path from 'node:path';
 import {coloured, escaped, plain, sizeOf} from './colour.mjs';
 import {commandOf, isCommand, isFigure, piecesOf, pictureOf as commandOfPicture} from './commands.mjs';
 import {nameOf, smallOf} from './pictures.mjs';
-import {parametersIn, sheetOf, valuesIn} from './sheets.mjs';
+import {isSheet, parametersIn, sheetOf, valuesIn} from './sheets.mjs';
 
 export const read = (file) => fs.readFileSync(file, 'utf8');
 const temml = (await import(new URL('../../build/node/node_modules/temml/dist/temml.mjs', import.meta.url))).default;
@@ -196,10 +196,10 @@ function pictureOf(source, pictures) {
 // needs no program; the program is there for its editor.
 const images = (html, pictures) => html.replace(/<img src="(?!pictures\/)([^"]*)"([^>]*?) ?\/?>/g, (_, source, more) => {
     const img = `<img ${pictureOf(source, pictures)}${more} loading="lazy" decoding="async">`;
-    const {stem, line, probe, step} = commandOfPicture(path.basename(source)) ?? {};
+    const {stem, line, probe, step} = commandOfPicture(path.basename(source)) ?? {}, picture = path.basename(source, '.png');
     if (!stem) return img;
-    return `<live-chapter class="in-place${isFigure(line) ? ' hands' : ''}" stem="${stem}"${line ? ` line="${escaped(line)}"` : ''}${probe ? ` probe="${probe}"` : ''}${step ? ` step="${step}"` : ''}>`
-        + `${isFigure(line) ? sheetOf(stem, line, img) : img}</live-chapter>`;
+    return `<live-chapter class="in-place${isFigure(line) ? ' hands' : isSheet(picture, line) ? ' hands turned' : ''}" stem="${stem}"${line ? ` line="${escaped(line)}"` : ''}${probe ? ` probe="${probe}"` : ''}${step ? ` step="${step}"` : ''}>`
+        + `${isSheet(picture, line) ? sheetOf(stem, line, picture, img) : img}</live-chapter>`;
 });
 
 // The first picture of a chapter becomes the poster of its program, which is not running yet. The page waits for this

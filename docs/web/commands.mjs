@@ -35,7 +35,7 @@ export function pictureOf(name) {
 export const isFigure = (line) => /(?:-f|--shader)[ =]chapters\/figures\//.test(line);
 
 // The words of a command as a shell reads them; a comment ends the command.
-function wordsOf(command) {
+export function wordsOf(command) {
     const words = [];
     for (const [word] of command.matchAll(/(?:'[^']*'|[^\s'])+/g)) {
         if (word.startsWith('#')) break;

@@ -3,14 +3,14 @@
 import fs from 'node:fs';
 import {createRequire} from 'node:module';
 import {escaped} from './colour.mjs';
-import {isFigure, pictures} from './commands.mjs';
-import {needsParts, scriptOf, sheetOf, textureOf} from './sheets.mjs';
+import {pictures} from './commands.mjs';
+import {isSheet, partsOf, scriptOf, sheetOf, textureOf} from './sheets.mjs';
 
 const {transformSync} = createRequire(new URL('../../build/node/', import.meta.url))('esbuild');
 const [out] = process.argv.slice(2), ADDRESS = process.env.ADDRESS?.replace(/\/?$/, '/');
 const COURSE = 'Ray marching, step by step';
 const small = (name) => transformSync(fs.readFileSync(`docs/web/${name}`, 'utf8'), {minify: true, loader: name.endsWith('.css') ? 'css' : 'js'}).code.trim();
-const css = small('sheet.css'), parts = small('sheet_parts.js'), js = small('sheet.js');
+const css = small('sheet.css'), js = small('sheet.js');
 const STYLE = 'body{margin:0;font-family:system-ui,sans-serif;color:light-dark(#1d1c1a,#e4e0d7)}.sheet-screen{aspect-ratio:16/9}figure-sheet:not(.still) img{visibility:hidden}p{margin:.4rem 0 0;font-size:.75rem;opacity:.8}a{color:inherit}';
 
 // The title of a chapter's page, and the alternative text of a picture in it.
@@ -24,12 +24,12 @@ const altOf = (stem, picture) => new RegExp(`!\\[([^\\]]*)\\]\\(\\.\\./tests/ref
 
 const made = new Map(); // the first picture of each figure, which shows the figure's own values
 for (const [picture, {stem, line}] of pictures) {
-    const name = /figures\/(\w+)\.frag/.exec(line)?.[1];
-    if (!isFigure(line) || made.has(name)) continue;
-    const alt = escaped(altOf(stem, picture)), html = sheetOf(stem, line, `<img alt="${alt}" width="640" height="360">`, false), script = scriptOf(html);
+    const name = /(\w+)\.frag/.exec(line)?.[1] ?? stem, own = picture.replace(/\.\w+$/, '');
+    if (!isSheet(own, line) || made.has(name)) continue;
+    const alt = escaped(altOf(stem, picture)), html = sheetOf(stem, line, own, `<img alt="${alt}" width="640" height="360">`, false), script = scriptOf(html);
     const textures = [...new Set([...script.matchAll(/sheets\/textures\/\w+\.js/g)].map(([file]) => file))];
     const embed = `<iframe src="${name}.html" width="640" height="${400 + 32 * (html.match(/<label/g) ?? []).length}" style="border:0" title="${alt}"></iframe>`;
-    const scripts = [script, ...(needsParts(html, script) ? [parts, ...textures.map(textureOf)] : []), js];
+    const scripts = [script, ...partsOf(html, script).map(small), ...textures.map(textureOf), js];
     const course = `${COURSE}, chapter ${escaped(titleOf(stem))}`;
     fs.writeFileSync(`${out}/${name}.html`, `<!doctype html>
 <!-- To show this figure in a page, put the file beside the page and add:

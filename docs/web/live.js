@@ -34,7 +34,7 @@ class LiveChapter extends HTMLElement {
     connectedCallback() {
         if (this.screen) return; // the element was only moved
         const poster = this.querySelector('img');
-        if (this.hasHands) this.besideSheet(this.querySelector('figure-sheet'));
+        if (this.hasSheet) this.besideSheet(this.querySelector('figure-sheet'));
         else this.behindPoster(poster);
         // On a touch screen, creating a graphics context while a finger goes down would turn the tap into a long press.
         this.screen.addEventListener('pointerenter', (event) => { if (event.pointerType === 'mouse') this.expect(); }, {once: true});
@@ -79,7 +79,8 @@ class LiveChapter extends HTMLElement {
 
     get stem() { return this.getAttribute('stem') || ''; }
     get isInPlace() { return this.classList.contains('in-place'); }
-    get hasHands() { return this.classList.contains('hands'); } // an interactive figure
+    get hasSheet() { return this.classList.contains('hands'); } // an interactive figure
+    get hasHands() { return this.hasSheet && !this.classList.contains('turned'); } // one with points to drag
     get isFirst() { return document.querySelector('live-chapter') === this; }
 
     // Load the program, before the click if the mouse enters the picture. Returns a promise of the stage, or null if

@@ -5,6 +5,7 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import {promisify} from 'node:util';
+import {isTurned} from './sheets.mjs';
 
 const run = promisify(execFile);
 const KEPT = 'build/webp'; // pictures that were converted before, because all of them take a minute
@@ -27,14 +28,13 @@ async function converted(file, options) {
 }
 
 // A picture with sharp edges, such as a figure, is small without loss of them. Others, such as clouds, are large, and
-// nobody sees what they lose. The thin lines of a figure must not be lost, because the live figure takes the place of its
-// still picture.
+// nobody sees what they lose. A figure loses nothing, because the live figure takes the place of its still picture.
 async function write(name, file, folder) {
     let from = file;
     if (name.endsWith('-small.webp')) from = await converted(file, SMALL);
     else if (file.endsWith('.png')) {
         from = await converted(file, NEAR);
-        if (fs.statSync(from).size > LARGE && !name.includes('-figure-')) from = await converted(file, FINE);
+        if (fs.statSync(from).size > LARGE && !name.includes('-figure-') && !isTurned(path.basename(name, '.webp'))) from = await converted(file, FINE);
     }
     fs.copyFileSync(from, `${folder}/${name}`);
 }

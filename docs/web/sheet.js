@@ -8,6 +8,8 @@
     const NUMBERS = 16, WORDS = 8; // how many labelled numbers a figure may write, and how many floats describe each
     const STEP = 0.02, FAR = 5; // how far an arrow key moves a point of the sheet, and how many times as far with Shift
     const REACH = 30; // from a press of the mouse to the point that it takes, CSS pixels
+    const TURN = 0.007; // radians by which a figure in space turns for each CSS pixel of a drag
+    const CAMERA = ['iCameraPosition', 'iCameraRight', 'iCameraUp', 'iCameraForward'];
     const VERTEX = '#version 300 es\nvoid main(){gl_Position=vec4(gl_VertexID==1?3.:-1.,gl_VertexID==2?3.:-1.,0,1);}';
     const HEAD = `#version 300 es
 precision highp float;precision highp int;precision highp sampler2D;
@@ -108,10 +110,10 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
     class Sheet extends HTMLElement {
         connectedCallback() {
             if (this.parameters) return; // the element was only moved
-            const {shader, parameters, labels = [], textures, axes} = figures[this.getAttribute('name')];
+            const {shader, parameters = [], labels = [], textures, axes, own} = figures[this.getAttribute('name')];
             const given = new Map((this.getAttribute('values') ?? '').split(' ').map((one) => one.split('=')));
             this.parameters = parameters.map((one) => {
-                const start = given.get(one.name)?.split(',').map(Number) ?? one.value;
+                const start = given.get(one.name)?.split(',').map((x) => x === 'true' ? 1 : Number(x) || 0) ?? one.value;
                 return {...one, start, value: [...start]};
             });
             this.screen = this.querySelector('.sheet-screen');
@@ -121,13 +123,19 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
             mark(this.canvas, {role: 'img', 'aria-label': img.alt});
             img.after(this.canvas);
             img.draggable = false;
-            Object.assign(this, {shader, labels, textures, axes, numbers: [], said: '', time: 0});
+            Object.assign(this, {shader, labels, textures, axes, projects: Boolean(axes), own, numbers: [], said: '', time: Number(this.getAttribute('time'))});
+            if (this.hasAttribute('camera')) window.sheetParts.stand(this);
             this.knobs = [...this.querySelectorAll('.sheet-point')];
             for (const knob of this.knobs) this.wake(knob);
             for (const [name, act] of [['down', 'take'], ['move', 'drag'], ['up', 'release'], ['cancel', 'release']]) this.screen.addEventListener(`pointer${name}`, (event) => this[act](event));
             this.inputs = [...this.querySelectorAll('input')];
             for (const input of this.inputs) input.addEventListener('input', () => this.turn(input));
-            this.querySelector('.sheet-reset').addEventListener('click', () => { for (const one of this.parameters) one.value = [...one.start]; this.ask(); });
+            for (const button of this.querySelectorAll('.sheet-reset, .sheet-edit')) button.setAttribute('aria-label', `${button.textContent} figure ${this.getAttribute('name')}`);
+            this.querySelector('.sheet-reset').addEventListener('click', () => {
+                for (const one of this.parameters) one.value = [...one.start];
+                if (this.camera) window.sheetParts.turn(this, 0, 0);
+                this.ask();
+            });
             this.play = this.querySelector('.sheet-play');
             this.runs = this.play && !calm.matches;
             this.play?.addEventListener('click', () => { this.runs = !this.runs; this.ask(); });
@@ -150,7 +158,7 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
         // The options that give a program the values which the reader has changed.
         get settings() {
             return this.parameters.filter(({value, start}) => String(value) !== String(start))
-                .map(({name, type, value}) => ` --set ${name}=${type === 'bool' ? Boolean(value[0]) : value.map((x) => Number(x.toPrecision(6)))}`).join('');
+                .map(({name, type, value}) => ` --set ${name}=${type === 'bool' ? Boolean(value[0]) : value.map((x) => Number(x.toPrecision(6)))}`).join('') + (this.camera ? window.sheetParts.cameraOf(this) : '');
         }
 
         // ---- Points ----
@@ -174,10 +182,15 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
         // Take the point that is nearest to a press and within reach. A finger has to press the element of a point,
         // because a swipe beside it scrolls the page.
         take(event) {
-            if (!this.drawn || this.held || event.button !== 0 || (event.pointerType !== 'mouse' && !event.target.closest('.sheet-point'))) return;
+            if (!this.drawn || this.held || event.button !== 0 || (event.pointerType !== 'mouse' && !event.target.closest('.sheet-point') && !this.camera)) return;
             const far = (knob) => { const {left, top, width, height} = knob.getBoundingClientRect(); return width > 0 ? Math.hypot(left + width / 2 - event.clientX, top + height / 2 - event.clientY) : Infinity; };
             const knob = this.knobs.reduce((best, one) => !best || far(one) < far(best) ? one : best, null);
-            if (!knob || far(knob) > REACH) return;
+            if (!knob || far(knob) > REACH) {
+                if (this.camera) this.held = {id: event.pointerId, x: event.clientX, y: event.clientY, from: this.turned};
+                if (this.camera && event.pointerType === 'mouse') event.preventDefault();
+                if (this.camera) this.screen.setPointerCapture(event.pointerId);
+                return;
+            }
             event.preventDefault(); // otherwise the browser would select text
             knob.focus({preventScroll: true});
             knob.classList.add('held');
@@ -187,6 +200,7 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
         drag({pointerId, clientX, clientY}) {
             const {held} = this, unit = this.screen.clientHeight / 2;
             if (pointerId !== held?.id) return;
+            if (!held.knob) return window.sheetParts.turn(this, held.from[0] - (clientX - held.x) * TURN, held.from[1] + (clientY - held.y) * TURN);
             const one = held.knob.parameter, to = [held.from[0] + (clientX - held.x) / unit, held.from[1] - (clientY - held.y) / unit];
             if (one.type === 'vec3') this.aim = {one, to};
             else this.move(one, to);
@@ -194,7 +208,7 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
         }
         release({pointerId}) {
             if (pointerId !== this.held?.id) return;
-            this.held.knob.classList.remove('held');
+            this.held.knob?.classList.remove('held');
             this.held = null;
         }
 
@@ -244,7 +258,7 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
             pen.sheets.add(this);
             this.places = null;
             this.program = gl.createProgram();
-            this.fragment = shaderOf(gl.FRAGMENT_SHADER, HEAD + pens() + this.shader + tail(this.axes));
+            this.fragment = shaderOf(gl.FRAGMENT_SHADER, HEAD + (this.own ? '' : pens()) + this.shader + tail(this.projects));
             gl.attachShader(this.program, pen.vertex);
             gl.attachShader(this.program, this.fragment);
             gl.linkProgram(this.program);
@@ -263,7 +277,7 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
                 return false;
             }
             gl.deleteShader(this.fragment);
-            const names = ['iResolution', 'iTime', 'iSigns', 'sheetAsked', 'sheetPoints', ...[...this.parameters, ...this.textures ?? []].map(({name}) => name)];
+            const names = ['iResolution', 'iTime', 'iSigns', 'sheetAsked', 'sheetPoints', ...CAMERA, ...[...this.parameters, ...this.textures ?? []].map(({name}) => name)];
             this.places = Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(this.program, name)]));
             return true;
         }
@@ -284,7 +298,7 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
             if (this.textures && !parts.bindTextures(pen, this)) return;
             if (this.places.iSigns) parts.bindDigits(pen, Math.round(Math.max(height / 180, 1.6 * ratio)));
             this.sendValues();
-            if (this.axes) parts.follow(pen, this);
+            if (this.projects) parts.follow(pen, this);
             if (this.labels.length > 0) this.showNumbers(this.asked(1, NUMBERS));
             this.paint(width, height);
             for (const knob of this.knobs) this.show(knob);
@@ -308,6 +322,7 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
                 if (type === 'int' || type === 'bool') gl.uniform1iv(this.places[name], value);
                 else gl[`uniform${value.length}fv`](this.places[name], value);
             }
+            this.camera?.forEach((one, i) => gl.uniform3fv(this.places[CAMERA[i]], one));
         }
 
         paint(width, height) {

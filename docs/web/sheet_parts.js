@@ -1,6 +1,8 @@
-// sheet_parts.js - what only some pages with interactive figures need: digits in the picture, textures, points in space,
-// and words that light a point. Such a page loads this script before sheet.js.
+// sheet_parts.js - what only some pages with interactive figures need: digits in the picture, textures, and words that light
+// a point. Such a page loads this script before sheet.js.
 window.sheetParts = {
+    ...window.sheetParts,
+
     // Bind the digits that a shader writes itself, in the cells of shaders/signs.glsl and the font of the page.
     bindDigits(pen, cell) {
         const {gl} = pen;
@@ -61,40 +63,6 @@ window.sheetParts = {
             gl.uniform1i(sheet.places[name], 1 + i);
             return true;
         }).every(Boolean);
-    },
-
-    // Find the points in space in the picture, and move the one that is dragged in the plane parallel to the screen, with
-    // Newton's method on the shader's own projection (common/picture/handles.c). A point that the reader moves stays in
-    // the picture.
-    follow(pen, sheet) {
-        const {aim, axes, canvas: {width, height}} = sheet, SMALL = 0.01;
-        // The positions of points, in units of the sheet; null if one of them is not in the picture.
-        const project = (points) => {
-            sheet.sendValues();
-            pen.gl.uniform3fv(sheet.places.sheetPoints, points.flat());
-            const found = sheet.asked(2, points.length);
-            return found.every(([seen]) => seen === 1) ? found.map(([, x, y]) => [(2 * x - width) / height, 2 * y / height - 1]) : null;
-        };
-        sheet.aim = null;
-        for (const knob of sheet.knobs.filter(({parameter}) => parameter.type === 'vec3')) {
-            const one = knob.parameter, beside = (axis) => one.value.map((x, i) => x + SMALL * axis[i]), find = () => project([one.value, beside(axes[0]), beside(axes[1])]);
-            for (let turns = aim?.one === one ? 6 : 1; turns > 0; turns--) {
-                let seen = find();
-                if (!seen && knob === document.activeElement && knob.last) {
-                    one.value = knob.last;
-                    seen = find();
-                }
-                knob.hidden = !seen;
-                if (!seen) break;
-                [knob.place] = seen;
-                knob.last = one.value;
-                if (turns === 1) break;
-                const [a, b] = [seen[1], seen[2]].map((at) => at.map((x, i) => (x - seen[0][i]) / SMALL)), by = aim.to.map((x, i) => x - seen[0][i]), area = a[0] * b[1] - a[1] * b[0];
-                const [s, t] = [(by[0] * b[1] - by[1] * b[0]) / area, (a[0] * by[1] - a[1] * by[0]) / area];
-                if (Number.isFinite(s + t)) sheet.move(one, one.value.map((x, i) => x + s * axes[0][i] + t * axes[1][i]));
-            }
-        }
-        sheet.sendValues();
     },
 };
 

@@ -4,6 +4,7 @@ import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import {escaped} from './colour.mjs';
+import {isFigure, wordsOf} from './commands.mjs';
 import {DARK} from './figures.mjs';
 import {shrink} from './shrink.mjs';
 
@@ -60,34 +61,50 @@ export function textureOf(file) {
 
 // ---- A figure ----
 
-// The camera's axes, which the text contains as constants: right, up and forward.
-const axesOf = (text) => ['Right', 'Up', 'Forward'].map((name) => new RegExp(`const\\s+vec3\\s+iCamera${name} = vec3\\(([^)]*)\\)`).exec(text)[1].split(',').map(Number));
+// The camera, which the text contains as constants: its position and its axes, right, up and forward.
+const CAMERA = /^const vec3 +(iCamera\w+) = vec3\(([^)]*)\);/gm;
+const cameraOf = (text) => [...text.matchAll(CAMERA)].map(([, , numbers]) => numbers.split(',').map(Number));
 
 // The functions of positions.glsl that find a point in space in the picture.
 const projection = () => /^\/\/ The offset from a pixel.*?(?=^#endif)/ms.exec(fs.readFileSync('shaders/positions.glsl', 'utf8'))[0];
 
+const printed = (file, stem, options = []) => execFileSync(`${PROGRAMS}/${stem}`, ['--root', '.', '--shader', file, ...options, '--print-shader=page'], {encoding: 'utf8'});
+
 // What sheet.js needs to draw a figure.
-//   file  the shader, in chapters/figures/
-//   stem  the chapter whose camera the figure has
-function dataOf(file, stem) {
-    let text = execFileSync(`${PROGRAMS}/${stem}`, ['--root', '.', '--shader', file, '--print-shader=page'], {encoding: 'utf8'});
+//   file   the shader
+//   stem   the chapter whose camera the figure has
+//   turns  a reader turns it in space, so the camera becomes an input
+function dataOf(file, stem, turns) {
+    let text = printed(file, stem);
     const labels = [], found = parametersOf(text), textures = texturesOf(text), inSpace = found.some(({handle, type}) => handle && type === 'vec3');
+    const axes = cameraOf(text).slice(1), isSheet = text.match(PENS)?.some((line) => /^const vec3 PAPER/.test(line));
+    if (turns) text = text.replace(CAMERA, 'uniform vec3 $1;');
     // A number with a label is written by the page.
     text = text.replace(PENS, (line) => /[A-Z]+ =/.exec(line)[0].slice(0, -2) in pens ? '' : line).replace(/\bnumber\(\w[^,]*, (.*)\);\s*\/\/ (.*#.*)$/gm, (_, values, label) => `tell(${labels.push(label) - 1}, ${values});`);
     if (inSpace) text += projection();
     const {shader, names} = shrink(text, ['mainImage', ...(inSpace ? ['projectedPixel'] : [])]);
-    const data = {shader, parameters: found.filter(({name}) => names.has(name)), labels, textures: textures.filter(({name}) => names.has(name)), axes: inSpace && axesOf(text)};
+    const data = {shader, parameters: found.filter(({name}) => names.has(name)), labels, textures: textures.filter(({name}) => names.has(name)), axes: inSpace && axes, own: !isSheet};
     return Object.fromEntries(Object.entries(data).filter(([, value]) => value && value.length !== 0));
 }
 
 const all = new Map();
 
-// The figure that a command line draws: {name, values, data}, where values are those of the line's options.
-function figureOf(stem, line) {
-    const words = line.split(' '), after = (...options) => words.flatMap((word, i) => options.includes(words[i - 1]) ? [word] : []);
-    const [file] = after('-f', '--shader'), name = file.replace(/.*\/|\.frag$/g, '');
-    if (!all.has(name)) all.set(name, dataOf(file, stem));
-    return {name, values: after('-p', '--set'), data: all.get(name)};
+// The pictures that a reader turns in space, {NAME: {sliders, away}}.
+const TURNED = new Map(fs.readFileSync(new URL('turned.txt', import.meta.url), 'utf8').split('\n').filter((line) => line && !line.startsWith('#'))
+    .map((line) => line.split('|').map((part) => part.trim())).map(([name, parameters, away]) => [name, {sliders: parameters.split(' ').filter(Boolean), away}]));
+
+// Does a reader turn this picture in space, and does a page draw it without the program?
+//   name  the name of the picture, without its ending
+export const isTurned = (name) => TURNED.has(name);
+export const isSheet = (name, line) => isFigure(line) || isTurned(name);
+
+// The figure that a command line draws: {name, file, values, camera, data}, where values are those of the line's options,
+// and camera is that of a figure that a reader turns.
+function figureOf(stem, line, picture) {
+    const words = wordsOf(line), after = (...options) => words.flatMap((word, i) => options.includes(words[i - 1]) ? [word] : []);
+    const [file = `chapters/${stem}.frag`] = after('-f', '--shader'), name = file.replace(/.*\/|\.frag$/g, ''), turns = isTurned(picture);
+    if (!all.has(name)) all.set(name, dataOf(file, stem, turns));
+    return {name, file, values: after('-p', '--set'), time: after('-t', '--time')[0], camera: turns && cameraOf(printed(file, stem, after('-c', '--camera').flatMap((one) => ['--camera', one]))), data: all.get(name)};
 }
 
 // ---- Its element ----
@@ -103,20 +120,21 @@ function slider(one) {
 }
 
 // The element of a figure.
-//   img     the still picture
-//   inPage  the page has the program, which a button opens in the editor
-export function sheetOf(stem, line, img, inPage = true) {
-    const {name, values, data} = figureOf(stem, line), given = new Map(values.map((one) => one.split('=')));
+//   picture  the name of its picture, without the ending
+//   img      the still picture
+//   inPage   the page has the program, which a button opens in the editor
+export function sheetOf(stem, line, picture, img, inPage = true) {
+    const {name, file, values, time, camera, data} = figureOf(stem, line, picture), given = new Map(values.map((one) => one.split('=')));
     const [, width, height] = /width="(\d+)" height="(\d+)"/.exec(img);
-    const points = data.parameters.filter(({handle}) => handle).map(({name, type, value}) => {
+    const points = (data.parameters ?? []).filter(({handle}) => handle).map(({name, type, value}) => {
         const [x, y] = given.get(name)?.split(',').map(Number) ?? value;
         return `<i class="sheet-point" data-name="${name}"${type === 'vec2' ? ` style="left:${(50 + 50 * x * height / width).toFixed(2)}%;top:${(50 - 50 * y).toFixed(2)}%"` : ' style="left:50%;top:50%" hidden'}></i>`;
     });
-    const own = fs.readFileSync(`chapters/figures/${name}.frag`, 'utf8'); // the other parameters are those of the camera and of the march
-    const sliders = data.parameters.filter(({name, handle, type}) => (!handle || type === 'vec3') && new RegExp(`^uniform +\\w+ +${name};`, 'm').test(own)).map(slider);
-    return `<figure-sheet name="${name}"${values.length > 0 ? ` values="${escaped(values.join(' '))}"` : ''}><div class="sheet-screen">${img}${points.join('')}</div>`
-        + `<div class="sheet-bar">${sliders.join('')}<span>${/\biTime\b/.test(data.shader) ? '<button type="button" class="sheet-play">Play</button>' : ''}<button type="button" class="sheet-reset" aria-label="Reset figure ${name}">Reset</button>`
-        + `${inPage ? `<button type="button" class="sheet-edit" aria-label="Edit figure ${name}">Edit</button>` : ''}</span></div></figure-sheet>`;
+    const own = fs.readFileSync(file, 'utf8'), chosen = TURNED.get(picture); // the other parameters of a figure are those of the camera and of the march
+    const sliders = (data.parameters ?? []).filter(({name, handle, type}) => (!handle || type === 'vec3') && (chosen ? chosen.sliders.includes(name) : new RegExp(`^uniform +\\w+ +${name};`, 'm').test(own))).map(slider);
+    return `<figure-sheet name="${name}"${values.length > 0 ? ` values="${escaped(values.join(' '))}"` : ''}${camera ? ` camera="${camera.map((one) => one.map((x) => Number(x.toFixed(7)))).join(' ')}"${chosen?.away ? ` away="${chosen.away}"` : ''}` : ''}${time && chosen ? ` time="${time}"` : ''}><div class="sheet-screen">${img}${points.join('')}</div>`
+        + `<div class="sheet-bar">${sliders.join('')}<span>${/\biTime\b/.test(data.shader) && !chosen ? '<button type="button" class="sheet-play">Play</button>' : ''}<button type="button" class="sheet-reset">Reset</button>`
+        + `${inPage ? `<button type="button" class="sheet-edit">Edit</button>` : ''}</span></div></figure-sheet>`;
 }
 
 const namesIn = (html) => [...new Set([...html.matchAll(/<figure-sheet name="(\w+)"/g)].map(([, name]) => name))];
@@ -129,12 +147,16 @@ export const parametersIn = (html) => valuesOf(html).filter(({type}) => type ===
 // The script with the figures of a page, or '' if the page has none.
 export function scriptOf(html) {
     const names = namesIn(html);
-    return names.length > 0 ? `sheets=${JSON.stringify({colours: pens, ...Object.fromEntries(names.map((name) => [name, all.get(name)]))})};\n` : '';
+    const short = (key, value) => value?.type && !value.handle ? {...value, meaning: undefined} : value; // only a point says its meaning
+    return names.length > 0 ? `sheets=${JSON.stringify({colours: names.every((name) => all.get(name).own) ? {} : pens, ...Object.fromEntries(names.map((name) => [name, all.get(name)]))}, short)};\n` : '';
 }
 
 // The scripts with the textures that all figures read.
 export const texturesIn = () => new Set([...all.values()].flatMap(({textures = []}) => textures.map(({file}) => file)));
 
-// Does a page need sheet_parts.js?
+// The files that a page loads before sheet.js.
 //   script  the script with the page's figures
-export const needsParts = (html, script) => /class="sheet-word"/.test(html) || /"textures":|"axes":|\biSigns\b/.test(script);
+export const partsOf = (html, script) => [
+    ...(/class="sheet-word"/.test(html) || /"textures":|\biSigns\b/.test(script) ? ['sheet_parts.js'] : []),
+    ...(/<figure-sheet[^>]* camera=/.test(html) || script.includes('"axes":') ? ['sheet_space.js'] : []),
+];

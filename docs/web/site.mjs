@@ -16,7 +16,7 @@ import {writeFigures} from './figures.mjs';
 import {subset} from './fonts.mjs';
 import {smallOf, writePictures} from './pictures.mjs';
 import {questionsOf} from './questions.mjs';
-import {needsParts, scriptOf, textureOf, texturesIn} from './sheets.mjs';
+import {partsOf, scriptOf, textureOf, texturesIn} from './sheets.mjs';
 import {Sources, root} from './sources.mjs';
 
 const run = promisify(execFile);
@@ -175,7 +175,7 @@ function write(page, pages) {
         title: escaped(page.address === 'index.html' ? TITLE : `${page.title} · ${TITLE}`),
         description: escaped(words.length > 155 ? `${words.slice(0, words.lastIndexOf(' ', 155))} …` : words),
         preview: ADDRESS === '/' ? '' : `\n<meta property="og:title" content="${escaped(page.title)}">\n<meta property="og:image" content="${escaped(ADDRESS + shown)}">`,
-        head: (sheets ? `\n<link rel="stylesheet" href="sheet.css">\n<script src="${script}" defer></script>${needsParts(page.body, sheets) ? '\n<script src="sheet_parts.js" defer></script>' : ''}\n<script src="sheet.js" defer></script>` : '') + (!alive ? '' : '\n<link rel="stylesheet" href="live.css">\n<script type="module" src="live.js"></script>' + (page.address === 'play.html' ? '\n<script type="module" src="play.js"></script>' : '')) + (page.body.includes('class="progress"') ? '\n<script src="progress.js" defer></script>' : ''),
+        head: (sheets ? `\n<link rel="stylesheet" href="sheet.css">\n<script src="${script}" defer></script>${partsOf(page.body, sheets).map((part) => `\n<script src="${part}" defer></script>`).join('')}\n<script src="sheet.js" defer></script>` : '') + (!alive ? '' : '\n<link rel="stylesheet" href="live.css">\n<script type="module" src="live.js"></script>' + (page.address === 'play.html' ? '\n<script type="module" src="play.js"></script>' : '')) + (page.body.includes('class="progress"') ? '\n<script src="progress.js" defer></script>' : ''),
         answers: ['guess', 'question'].filter((name) => page.body.includes(`class="${name}"`)).map((name) => `<script src="${name}.js" defer></script>\n`).join(''),
         menu: list ? '<button type="button" class="menu at" popovertarget="sections">Sections</button>\n' : '',
         contents: contents(pages, page), body: page.body,

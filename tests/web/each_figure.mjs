@@ -1,6 +1,6 @@
 // each_figure.mjs - the tests of every interactive figure, for any browser (figures.mjs, firefox_figures.mjs): without a
 // press before, it is drawn when it is seen, equal to its reference picture; the mouse, a finger and the arrow keys move
-// each of its points, and a swipe beside its points scrolls the page.
+// each of its points, and a swipe beside its points scrolls the page. A figure in space turns if it is dragged anywhere.
 import fs from 'node:fs';
 import {check, PATIENCE, SITE} from './browser.mjs';
 
@@ -10,11 +10,21 @@ export const pagesWith = (pattern) => fs.readdirSync(`${SITE}/sheets`).filter((n
 // Run these in a page before its scripts, and in a page.
 export function record() {
     window.shifted = 0;
-    if (PerformanceObserver.supportedEntryTypes.includes('layout-shift')) new PerformanceObserver((list) => { for (const {value, sources} of list.getEntries()) if (sources.some(({node}) => node?.parentElement?.closest('main'))) window.shifted += value; }).observe({type: 'layout-shift', buffered: true});
+    if (!PerformanceObserver.supportedEntryTypes.includes('layout-shift')) return;
+    window.shifts = new PerformanceObserver((list) => { for (const {value, sources} of list.getEntries()) if (!window.unfolds && sources.some(({node}) => node?.parentElement?.closest('main'))) window.shifted += value; });
+    window.shifts.observe({type: 'layout-shift', buffered: true});
 }
-const find = (i) => {
+const find = async (i) => {
     const sheet = document.querySelectorAll('figure-sheet')[i];
-    for (let fold = sheet; (fold = fold.parentElement.closest('details'));) fold.open = true;
+    window.unfolds = true; // what a fold moves is no fault
+    let opened = false;
+    for (let fold = sheet; (fold = fold.parentElement.closest('details'));) {
+        opened ||= !fold.open;
+        fold.open = true;
+    }
+    for (let left = opened ? 3 : 0; left > 0; left--) await new Promise(requestAnimationFrame);
+    if (opened) window.shifts?.takeRecords();
+    window.unfolds = false;
     sheet.scrollIntoView({block: 'center', behavior: 'instant'});
 };
 const look = (i) => {
@@ -23,7 +33,7 @@ const look = (i) => {
         const box = one.getBoundingClientRect();
         return {name: one.dataset.name, x: box.left + box.width / 2, y: box.top + box.height / 2, label: one.getAttribute('aria-label'), value: one.getAttribute('aria-valuetext'), role: one.getAttribute('role')};
     });
-    return {name: sheet.getAttribute('name'), drawn: sheet.matches('.drawn'), points, box: [left, top, width, height], picture: sheet.matches('.drawn') ? own.toDataURL() : '', scroll: scrollY, runs: sheet.querySelector('.sheet-play')?.textContent === 'Pause'};
+    return {name: sheet.getAttribute('name'), drawn: sheet.matches('.drawn'), points, box: [left, top, width, height], picture: sheet.matches('.drawn') ? own.toDataURL() : '', scroll: scrollY, runs: sheet.querySelector('.sheet-play')?.textContent === 'Pause', turned: sheet.matches('.turns') && own.getAttribute('aria-valuetext')};
 };
 // The share of the pixels that differ from the reference picture, in percent, at the size of that picture.
 const differs = async ([i, patience]) => {
@@ -53,7 +63,7 @@ const allows = ([x, y]) => {
     for (let one = document.elementFromPoint(x, y); one; one = one.parentElement) if (!/auto|pan-y|manipulation/.test(getComputedStyle(one).touchAction)) return `the touch-action of ${one.className}`;
     return window.refused === false ? '' : 'the press';
 };
-const focus = (i) => document.querySelectorAll('figure-sheet')[i].querySelector('.sheet-point').focus({preventScroll: true});
+const focus = ([i, what]) => document.querySelectorAll('figure-sheet')[i].querySelector(what).focus({preventScroll: true});
 
 // The digits of a figure are elements of the page, and those that remain in the picture are in another font.
 const DIGITS = 0.4; // percent of the pixels
@@ -80,15 +90,15 @@ export async function testFigures(driver, name, where, touch) {
         }
     });
     const count = await evaluate(() => document.querySelectorAll('figure-sheet').length);
-    let points = 0;
+    let points = 0, turns = 0;
     for (let i = 0; i < count; i++) {
         await evaluate(find, i);
         await rest();
         let now = await comes(i, ({drawn}) => drawn);
         const blame = (why) => wrong.push(`${now.name}: ${why}`);
         if (!now.drawn) { blame('it is not drawn'); continue; }
-        now = await comes(i, ({points}) => points.length > 0);
-        if (now.points.length === 0) { blame('it has no point'); continue; }
+        now = await comes(i, ({points, turned}) => points.length > 0 || turned);
+        if (now.points.length === 0 && !now.turned) { blame('it has no point'); continue; }
         for (const {name, label, value, role} of now.points) if (role !== 'slider' || !label?.startsWith(`${name}, `) || !/^x −?\d/.test(value)) blame(`${name} has no name or no value: ${label}, ${value}`);
         for (const {name} of now.points) {
             now = await evaluate(look, i);
@@ -102,26 +112,37 @@ export async function testFigures(driver, name, where, touch) {
             if (now.scroll !== before.scroll) blame(`dragging ${name} scrolls the page`);
             points++;
         }
-        await evaluate(focus, i);
-        const before = await evaluate(look, i);
-        await driver.key('ArrowRight');
-        now = await comes(i, ({points, picture}) => points[0].value !== before.points[0].value && picture !== before.picture);
-        if (now.points[0].value === before.points[0].value) blame('an arrow key does not move its first point');
-        if (now.scroll !== before.scroll) blame('an arrow key scrolls the page');
-        await driver.key('Escape');
-        await rest();
-        if (!touch) continue;
         // The position in the picture that is farthest from all points.
         const [left, top, width, height] = now.box, grid = [0.1, 0.3, 0.5, 0.7, 0.9].flatMap((u) => [0.2, 0.5, 0.8].map((v) => [left + u * width, top + v * height]));
-        const far = ([x, y]) => Math.min(...now.points.map((one) => Math.hypot(one.x - x, one.y - y))), [from] = grid.sort((a, b) => far(b) - far(a));
-        const {points: stood, scroll} = await evaluate(look, i);
+        const far = ([x, y]) => Math.min(1e9, ...now.points.map((one) => Math.hypot(one.x - x, one.y - y))), farthest = () => [...grid].sort((a, b) => far(b) - far(a))[0];
+        if (now.turned) {
+            const still = await evaluate(look, i), [x, y] = farthest();
+            await driver.drag([x, y], [x + (x > left + width / 2 ? -40 : 40), y + 4], touch);
+            now = await comes(i, (one) => one.turned !== still.turned && one.picture !== still.picture);
+            if (now.turned === still.turned || now.picture === still.picture) blame('a drag does not turn it');
+            if (now.scroll !== still.scroll) blame('turning it scrolls the page');
+            turns++;
+        }
+        for (const [what, does, told] of [['.sheet-point', 'move its first point', ({points: [point]}) => point?.value], ['canvas', 'turn it', ({turned}) => turned]]) {
+            if (!told(now)) continue;
+            await evaluate(focus, [i, what]);
+            const before = await evaluate(look, i);
+            await driver.key('ArrowRight');
+            now = await comes(i, (one) => told(one) !== told(before) && one.picture !== before.picture);
+            if (told(now) === told(before)) blame(`an arrow key does not ${does}`);
+            if (now.scroll !== before.scroll) blame('an arrow key scrolls the page');
+            await driver.key('Escape');
+            await rest();
+        }
+        if (!touch) continue;
+        const from = farthest(), {points: stood, scroll} = await evaluate(look, i);
         await evaluate(listen);
         await driver.drag(from, [from[0], from[1] - 150], touch);
         const after = driver.scrolls ? await comes(i, (one) => Math.abs(one.scroll - scroll) > 30) : await evaluate(look, i);
         if (driver.scrolls && Math.abs(after.scroll - scroll) <= 30) blame('a swipe beside its points does not scroll the page');
         const refused = await evaluate(allows, from);
         if (!driver.scrolls && refused) blame(`a swipe beside its points would not scroll the page: ${refused}`);
-        if (after.points.some(({value}, k) => value !== stood[k].value)) blame('a swipe beside its points moves one');
+        if (after.points.some(({value}, k) => value !== stood[k].value) && !after.turned) blame('a swipe beside its points moves one');
     }
     const shifted = await evaluate(() => window.shifted ?? 0);
     if (shifted > 0) wrong.push(`the page shifts by ${shifted}`);
@@ -129,6 +150,6 @@ export async function testFigures(driver, name, where, touch) {
         const {name, runs} = await evaluate(look, i), share = await evaluate(differs, [i, PATIENCE]);
         if (share > DIGITS && !runs) wrong.push(`${name}: after Reset, ${share.toFixed(2)} % of its pixels differ from its reference picture`);
     }
-    check(`${where}: ${name}: ${count} figures are drawn when they are seen, and ${points} points follow ${touch ? 'a finger' : 'the mouse'} and the arrow keys`, count > 0 && wrong.length === 0, wrong);
-    return {count, points};
+    check(`${where}: ${name}: ${count} figures are drawn when they are seen, and ${points} points${turns > 0 ? ` and ${turns} views` : ''} follow ${touch ? 'a finger' : 'the mouse'} and the arrow keys`, count > 0 && wrong.length === 0, wrong);
+    return {count, points, turns};
 }

@@ -35,7 +35,7 @@ async function driverOf(page, phone) {
 // Most of a page's time is spent waiting for frames, so several pages are tested side by side.
 const LANES = 4;
 const screens = [[1440, {viewport: {width: 1440, height: 900}}], [390, {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2}]];
-const all = {count: 0, points: 0}, tasks = screens.flatMap(([width, context]) => pagesWith(process.argv[2]).map((name) => ({width, context, name})));
+const all = {count: 0, points: 0, turns: 0}, tasks = screens.flatMap(([width, context]) => pagesWith(process.argv[2]).map((name) => ({width, context, name})));
 async function work() {
     for (let task; (task = tasks.shift()) !== undefined;) {
         const {width, context, name} = task, {page, said} = await blankPage(browser, {context, before: record});
@@ -71,6 +71,7 @@ if (!process.argv[2]) {
 }
 
 console.log(`# ${all.count} figures in two widths, ${all.points} drags`);
+if (!process.argv[2]) check('at least ten figures are turned in space', all.turns >= 20, all.turns);
 finish();
 await browser.close();
 server.close();

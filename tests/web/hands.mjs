@@ -115,6 +115,27 @@ for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
     await page.close();
 }
 
+// ---- A picture that a reader turns ----
+
+{
+    ({page, said} = await open('05_transforms.html', {...DESK, bypassCSP: true}));
+    const pair = page.locator('table .turns'), told = () => pair.locator('canvas').evaluateAll((all) => all.map((one) => one.getAttribute('aria-valuetext')));
+    await pair.first().scrollIntoViewIfNeeded();
+    await page.waitForSelector('table .turns.drawn');
+    const {x, y, width, height} = await pair.first().boundingBox();
+    await page.mouse.move(x + width / 2, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + width / 2 + 100, y + height / 2 + 20, {steps: 4});
+    await page.mouse.up();
+    const [first, second] = await told(), wanted = await pair.first().evaluate((one) => one.camera[0]);
+    check('both pictures of a comparison turn together', first === 'turned by 40°, tilted by 8°' && second === first, first, second);
+    await pair.first().locator('.sheet-edit').click();
+    now = await comes(page, 's.camera');
+    check('Edit opens the program with the camera that the reader has chosen', now && wanted.every((one, i) => Math.abs(one - now.camera[i]) < 1e-4), wanted, now?.camera);
+    check('with a picture that turns, the console reports no error', said.length === 0, said);
+    await page.close();
+}
+
 // ---- Words in a sentence ----
 
 for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
