@@ -69,6 +69,20 @@ void main()
     fragColour = projectedPixel(projectedPoint(int(gl_FragCoord.x)));
 }
 
+#elif VIEW == VIEW_KEPT
+
+// What this frame keeps for the next one, neither clamped nor encoded. In this function the sampler that reads the last
+// frame has the one before, which is 0 everywhere at frame 0. In rayColour, and in all views, it has this frame.
+//   pixel    centre of the pixel; iSample is the index of the frame, so pixelRandom continues from frame to frame
+vec4 frameKept(vec2 pixel);
+
+void main()
+{
+    traceReset(-1);
+    iPixel = ivec2(gl_FragCoord.xy);
+    fragColour = frameKept(gl_FragCoord.xy);
+}
+
 #elif VIEW == VIEW_ROOM
 
 void main()

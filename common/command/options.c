@@ -8,8 +8,6 @@
 #include "report.h"
 #include "command/sequence.h"
 
-#define FPS_DEFAULT 25.0
-
 static bool refuse_unknown(const char *word, size_t length)
 {
     return report("unknown option '%.*s': --help lists the options", (int)length, word);
@@ -169,7 +167,6 @@ static bool complete(struct options *options)
 {
     bool film = options->frames > 0, paced = options->fps > 0.0;
     set_defaults(options);
-    options->fps = paced ? options->fps : FPS_DEFAULT;
     if (options->benchmark > 0 && (options->output != NULL || options->probe_count > 0))
         report("--benchmark: cannot be combined with --%s",
                options->output != NULL ? "output" : "probe");
@@ -182,8 +179,10 @@ static bool complete(struct options *options)
              (options->benchmark > 0 || options->action == OPTIONS_PRINT_SHADER))
         report("--compare: cannot be combined with --%s",
                options->benchmark > 0 ? "benchmark" : "print-shader");
-    else if (!film && paced)
-        report("--fps: requires --frames N");
+    else if (film && options->has_frame)
+        report("--frame: cannot be combined with --frames");
+    else if (!film && !options->has_frame && paced)
+        report("--fps: requires --frames N, or --frame N");
     else if (film && options->output == NULL)
         report("--frames: requires --output, as in -o frame-%%04d.png");
     else if (film && !sequence_is_name(options->output))
@@ -193,8 +192,11 @@ static bool complete(struct options *options)
     else if (film && options->probe_count > 0 && !shader_shows_ray(options->view) && !options->walk)
         report("--probe: cannot be combined with --frames, except in the slice and plot views and "
                "with --step walk");
-    else if (film && fabs(options->time) + options->frames / options->fps > OPTIONS_LIMIT)
-        report("--frames: the last time must be between -1e9 and 1e9 seconds");
+    else if (fabs(options->time) +
+                 fmax(options->frames, options->frame) / (paced ? options->fps : OPTIONS_FPS) >
+             OPTIONS_LIMIT)
+        report("--%s: the last time must be between -1e9 and 1e9 seconds",
+               film ? "frames" : "frame");
     else if ((options->shadertoy || options->page) && options->view != VIEW_PICTURE)
         report("--print-shader=%s: cannot be combined with --view %s: only the picture view runs "
                "%s",

@@ -13,6 +13,7 @@
 
 #define OPTIONS_SIZE_LIMIT    16384 // maximum width and height in pixels
 #define OPTIONS_SAMPLES_LIMIT 8     // maximum number of samples along each side of a pixel
+#define OPTIONS_FPS           25.0  // pictures per second of a film, unless its frames are kept
 #define OPTIONS_LIMIT         1e9   // largest time or camera value; floats near it are 64 apart
 
 enum options_action {
@@ -31,13 +32,14 @@ struct options {
     bool page;      // --print-shader=page
     bool compares;  // there is a second picture
     bool walk;      // --step walk: the pictures of --frames step along the ray
-    bool has_from, has_divider, has_camera, has_overlay, has_time;
+    bool has_from, has_divider, has_camera, has_overlay, has_time, has_frame;
     const char *output;    // name of the PNG file, with one %d for a film; NULL if not given
     int width, height;     // pixels, 1 to OPTIONS_SIZE_LIMIT
     double time;           // seconds
     int frames;            // 1 + the index of the last picture of the film; 0 if there is no film
     int first_frame;       // index of the first picture to write
-    double fps;            // pictures per second
+    int frame;             // index of the frame that the picture shows
+    double fps;            // pictures per second; 0 if not given
     int benchmark;         // frames to measure, or 0
     bool json;             // --benchmark=json
     const char **settings; // NAME=VALUE, in the order given; owned, see options_free

@@ -212,6 +212,14 @@ static bool set_frames(struct options *options, const char *text)
     return true;
 }
 
+static bool set_frame(struct options *options, const char *text)
+{
+    options->has_frame = true;
+    return number_read_int(text, 0, SEQUENCE_FRAMES_LIMIT - 1, &options->frame) ||
+           refuse("frame", text, "must be a whole number between 0 and %d",
+                  SEQUENCE_FRAMES_LIMIT - 1);
+}
+
 static bool set_fps(struct options *options, const char *text)
 {
     return (number_read(text, &options->fps) && options->fps >= 0.001 && options->fps <= 1000.0) ||
@@ -335,7 +343,10 @@ const struct options_row options_rows[] = {
      "found from the program's folder"},
     {"", "frames", " N|K-L", set_frames, OPTIONS_RUN,
      "write N pictures from --time on, or K to L: -o frame-%04d.png", ""},
-    {"", "fps", " F", set_fps, OPTIONS_RUN, "pictures per second of --frames", "25"},
+    {"", "frame", " N", set_frame, OPTIONS_RUN,
+     "picture N of --frames; a window that keeps frames stops there", "0"},
+    {"", "fps", " F", set_fps, OPTIONS_RUN, "pictures per second of --frames and --frame",
+     "25; 60 if frames are kept"},
     {"", "print-shader", "[=FOR]", set_print_shader, OPTIONS_PRINT_SHADER,
      "print the shader as one file; shadertoy, page: to use it there", ""},
     {"", "benchmark", " N|json", set_benchmark, OPTIONS_RUN,

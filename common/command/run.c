@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "picture/passes.h"
 #include "platform.h"
 #include "report.h"
 #include "command/sequence.h"
@@ -136,13 +137,18 @@ static bool check_strokes(const struct run *run)
 
 int run_read_shaders(struct run *run)
 {
-    const char *other = run->options.compare;
+    struct options *options = &run->options;
+    const char *other = options->compare;
     int status = read_shader(run, 0, run->shader);
     if (status == RUN_DONE && !check_strokes(run))
         status = RUN_WRONG_COMMAND_LINE;
-    if (status != RUN_DONE || !run->options.compares)
-        return status;
-    return read_shader(run, 1, other != NULL ? other : run->shader);
+    if (status == RUN_DONE && options->compares)
+        status = read_shader(run, 1, other != NULL ? other : run->shader);
+    bool keeps = samplers_keep(&run->picture[0].parameters.samplers) ||
+                 samplers_keep(&run->picture[1].parameters.samplers);
+    if (options->fps == 0.0 && (keeps || options->has_frame || options->frames > 0))
+        options->fps = keeps ? PASSES_RATE : OPTIONS_FPS;
+    return status;
 }
 
 static bool open_renderer(struct run *run, int number, const struct gl *gl)
@@ -217,6 +223,8 @@ struct window_start run_window_start(struct run *run)
     start.pictures = options->compares ? 2 : 1;
     start.camera = options->camera;
     start.time = options->time;
+    start.frame = options->has_frame ? options->frame : -1;
+    start.rate = options->fps;
     start.samples = options->samples;
     start.strokes = &run->options.strokes;
     start.overlay_scale = options->overlay;

@@ -7,6 +7,7 @@
 #include "command/sequence.h"
 #include "memory.h"
 #include "picture/panel.h"
+#include "picture/passes.h"
 #include "picture/renderer_ray.h"
 #include "report.h"
 
@@ -64,17 +65,19 @@ static bool write_picture(struct run *run, const struct renderer_inputs *inputs,
 struct renderer_inputs run_still_inputs(const struct options *options)
 {
     const int *pixel = options->probe_count > 0 ? options->probe[options->probe_count - 1] : NULL;
-    return (struct renderer_inputs){
+    const struct renderer_inputs inputs = {
         .width = options->width,
         .height = options->height,
         .camera = options->camera,
-        .time = options->time,
-        .date = {1970.0f, 0.0f, 1.0f, (float)options->time},
+        .begin = options->time,
+        .rate = options->fps,
+        .date = {1970.0f, 0.0f, 1.0f},
         .samples = options->samples,
         .pixel = {pixel != NULL ? pixel[0] : -1, pixel != NULL ? pixel[1] : -1},
         .strokes = &options->strokes,
         .zoom = 1.0f,
         .shown = (float)(options->step + 1)};
+    return passes_inputs(&inputs, options->frame);
 }
 
 void run_start_ray(const struct options *options, const struct renderer *renderer,
@@ -118,12 +121,8 @@ static bool write_frames(struct run *run, struct renderer_inputs inputs)
     int first = options->first_frame, count = options->frames - first;
     for (int i = first; i < options->frames && done; i++) {
         report_progress(i - first, count, "pictures");
-        inputs.frame = i;
-        // The steps of a walk belong to one march, so the time is fixed.
-        inputs.time = options->time + (options->walk ? 0.0 : i / options->fps);
-        inputs.date[3] = (float)inputs.time;
-        inputs.rate = options->fps;
-        inputs.time_delta = i > 0 ? 1.0 / options->fps : 0.0;
+        // The steps of a walk belong to one march, so they are all shown at frame 0.
+        inputs = passes_inputs(&inputs, options->walk ? 0 : i);
         if (probe != NULL)
             inputs.shown = shown_of(i, options->frames, probe_rows(probe));
         done = sequence_path(options->output, i, path, sizeof path) &&

@@ -37,6 +37,7 @@ typedef uint64_t GLuint64;
 #define GL_CONTEXT_PROFILE_MASK     0x9126
 #define GL_DRAW_FRAMEBUFFER         0x8CA9
 #define GL_DRAW_FRAMEBUFFER_BINDING 0x8CA6
+#define GL_EXTENSIONS               0x1F03
 #define GL_FALSE                    0
 #define GL_FLOAT                    0x1406
 #define GL_FRAGMENT_SHADER          0x8B30

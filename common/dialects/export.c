@@ -323,7 +323,8 @@ struct pictures {
 static const char *picture_of(const void *pictures, int i)
 {
     const struct pictures *p = pictures;
-    return p->source->files[p->samplers->item[i].file];
+    const struct sampler *sampler = &p->samplers->item[i];
+    return sampler->pass > 0 ? "the last frame" : p->source->files[sampler->file];
 }
 
 char *export_file(struct shader_source *source, const struct parameters *parameters,
@@ -345,12 +346,19 @@ char *export_file(struct shader_source *source, const struct parameters *paramet
                source->files[0]);
         return NULL;
     }
+    bool keeps = samplers_keep(&parameters->samplers);
+    if (page && keeps) {
+        report("%s: reads the last frame: a page that draws a shader itself keeps no frames: leave "
+               "out =page to print code that runs here",
+               source->files[0]);
+        return NULL;
+    }
     if (!page && course && parameters->samplers.count > 0) {
         const struct pictures pictures = {source, &parameters->samplers};
         text = memory_list(parameters->samplers.count, picture_of, &pictures);
-        report("%s: reads %s: Shadertoy accepts no files: leave out =shadertoy to print "
+        report("%s: reads %s: Shadertoy accepts no files%s: leave out =shadertoy to print "
                "code that runs here",
-               source->files[0], text);
+               source->files[0], text, keeps ? ", and an export has no buffers" : "");
         free(text);
         return NULL;
     }

@@ -6,6 +6,7 @@
 
 #include "json.h"
 #include "memory.h"
+#include "picture/passes.h"
 #include "platform.h"
 #include "report.h"
 
@@ -72,16 +73,27 @@ bool benchmark_load(struct benchmark *benchmark, struct renderer *renderer,
     return true;
 }
 
+// The inputs of a frame. If frames are kept, each one continues the last.
+//   more  frames that were drawn before
+static struct renderer_inputs inputs_after(const struct benchmark *benchmark,
+                                           const struct renderer *renderer, int more)
+{
+    const struct renderer_inputs *inputs = &benchmark->inputs;
+    return passes_keep(renderer) ? passes_inputs(inputs, inputs->frame + more) : *inputs;
+}
+
 // Draw and time one frame.
 //   timer  NULL if there is no GPU clock
+//   more   as for inputs_after
 static bool draw_frame(const struct benchmark *benchmark, struct renderer *renderer,
-                       const struct timer *timer, struct benchmark_span *span)
+                       const struct timer *timer, struct benchmark_span *span, int more)
 {
+    struct renderer_inputs inputs = inputs_after(benchmark, renderer, more);
     GLuint64 nanoseconds = 0;
     struct benchmark_span begin = now();
     if (timer != NULL)
         timer->BeginQuery(GL_TIME_ELAPSED, timer->query);
-    bool done = renderer_draw(renderer, &benchmark->inputs, 0, benchmark->inputs.height);
+    bool done = renderer_draw(renderer, &inputs, 0, inputs.height);
     if (timer != NULL)
         timer->EndQuery(GL_TIME_ELAPSED);
     renderer->gl->Finish();
@@ -113,7 +125,7 @@ static bool draw_frames(struct benchmark *benchmark, struct renderer *renderer,
     double *seconds = memory_zeros((size_t)count, sizeof *seconds);
     bool done = true;
     for (int i = 0; i < all && done; i++)
-        done = draw_frame(benchmark, renderer, timer, &span[i]);
+        done = draw_frame(benchmark, renderer, timer, &span[i], i);
     benchmark->first = span[0];
     for (int clock = 0; clock < BENCHMARK_CLOCKS && done; clock++) {
         for (int i = 0; i < count; i++)
@@ -207,7 +219,8 @@ static void sum_up(struct benchmark *benchmark, const float *counts, double shar
 static bool count_evaluations(struct benchmark *benchmark, struct renderer *renderer)
 {
     enum shader_view view = renderer->view;
-    struct renderer_inputs inputs = benchmark->inputs;
+    struct renderer_inputs inputs =
+        inputs_after(benchmark, renderer, BENCHMARK_WARM_UP + benchmark->frames - 1);
     size_t pixels = (size_t)inputs.width * (size_t)inputs.height;
     float *counts = malloc(4 * sizeof *counts * pixels);
     float *alone = malloc(4 * sizeof *alone * pixels);

@@ -49,7 +49,8 @@ bool loader_give(struct loader *loader, const char *path)
     const struct samplers *samplers = &loader->renderer.parameters.samplers;
     bool course = loader->renderer.fragment.dialect == DIALECT_COURSE;
     int first = 0, channel = course ? 0 : next_channel(loader);
-    while (course && first < samplers->count && samplers->item[first].slices > 0)
+    while (course && first < samplers->count &&
+           (samplers->item[first].slices > 0 || samplers->item[first].pass > 0))
         first++;
     if (course ? first == samplers->count : channel < 0)
         return report("%s: the shader reads no picture", path);
@@ -77,6 +78,8 @@ void loader_begin(const struct loader *loader)
     shader_begin(renderer->gl, &renderer->vertex, &loader->source, renderer->view);
     if (glsl_mentions(&loader->source.code, "coarseStart") > 0)
         shader_begin(renderer->gl, &renderer->vertex, &loader->source, VIEW_COARSE);
+    if (samplers_keep(&loader->parameters.samplers))
+        shader_begin(renderer->gl, &renderer->vertex, &loader->source, VIEW_KEPT);
 }
 
 bool loader_compile(struct loader *loader)

@@ -6,12 +6,10 @@
 #include <string.h>
 
 #include "memory.h"
+#include "picture/passes.h"
 #include "picture/renderer_ray.h"
 #include "picture/slice.h"
 #include "report.h"
-
-// Each draw call covers one tile, which is so small that no draw call occupies a GPU for seconds.
-#define TILE 512 // pixels
 
 // A picture for a file is drawn in bands of at most this many pixels, so that the float target
 // stays small.
@@ -38,7 +36,7 @@ bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *r
         return false;
     renderer->gl = gl;
     gl->GenVertexArrays(1, &renderer->vertex_array);
-    GLenum format = target_format(gl);
+    GLenum format = target_format(gl, true);
     for (int i = 0; i < TARGETS; i++)
         target_open(target_of(renderer, i), gl, format);
     return true;
@@ -50,6 +48,7 @@ static void unload(struct renderer *renderer)
     renderer_unlink(renderer);
     textures_free(&renderer->textures, renderer->gl);
     sculpture_forget(&renderer->sculpture);
+    kept_free(&renderer->kept, renderer->gl);
     shader_free(&renderer->fragment);
     parameters_free(&renderer->parameters);
 }
@@ -78,6 +77,7 @@ bool renderer_prepare(const struct renderer *renderer, struct renderer *next, en
     next->fragment = *source;
     next->parameters = *parameters;
     next->sculpture = (struct sculpture){.tool = renderer->sculpture.tool};
+    next->kept = (struct kept){0};
     next->view = view;
     memset(next->program, 0, sizeof next->program);
     memset(next->location, 0, sizeof next->location);
@@ -142,20 +142,6 @@ struct renderer *renderer_at(struct renderer *renderer, int width, int x)
 {
     bool first = renderer->comparison == NULL || x < renderer_split(renderer, width);
     return first ? renderer : renderer->comparison->other;
-}
-
-// Draw all samples of the tile that the scissor selects. Blending averages the samples: it adds
-// sample / count. Sample (i, j) of n x n is at ((i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5) from the
-// pixel's centre, so a single sample is at the centre, and the picture does not shift with n.
-static void draw_samples(const struct renderer *renderer, int samples, int bottom)
-{
-    for (int k = 0; k < samples * samples; k++) {
-        struct renderer_sample sample = {k,
-                                         samples * samples,
-                                         {((float)(k % samples) + 0.5f) / (float)samples - 0.5f,
-                                          ((float)(k / samples) + 0.5f) / (float)samples - 0.5f}};
-        renderer_pass(renderer, &sample, bottom);
-    }
 }
 
 // The part of a picture that one call of draw_sides draws.
@@ -225,15 +211,8 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *a
     // The viewport covers the whole picture, whatever part the target contains, so the triangle
     // never changes.
     gl->Viewport(0, -part->bottom, inputs->width, inputs->height);
-    gl->Enable(GL_SCISSOR_TEST);
-    for (int y = part->from; y < part->to; y += TILE)
-        for (int x = part->left; x < part->right; x += TILE) {
-            gl->Scissor(x, y, part->right - x < TILE ? part->right - x : TILE,
-                        part->to - y < TILE ? part->to - y : TILE);
-            draw_samples(renderer, inputs->samples, part->bottom);
-            gl->Flush();
-        }
-    gl->Disable(GL_SCISSOR_TEST);
+    renderer_tiles(renderer, (const int[]){part->left, part->from},
+                   (const int[]){part->right, part->to}, part->bottom, inputs->samples, 0);
     return true;
 }
 
@@ -249,7 +228,8 @@ static bool draw_sides(struct renderer *renderer, const struct renderer_inputs *
     first.right = split < part->right ? split : part->right;
     second.left = split > part->left ? split : part->left;
     second.fresh = part->fresh && first.left >= first.right;
-    return (first.left >= first.right || draw_part(renderer, inputs, &first)) &&
+    return passes_follow(renderer, inputs) &&
+           (first.left >= first.right || draw_part(renderer, inputs, &first)) &&
            (second.left >= second.right || draw_part(renderer->comparison->other, inputs, &second));
 }
 
@@ -396,6 +376,8 @@ bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inp
     memset(probe, 0, sizeof *probe);
     renderer = renderer_at(renderer, inputs->width, x);
     const struct renderer_inputs from = renderer_from_eye(inputs);
+    if (!passes_follow(renderer, inputs))
+        return false;
     return (renderer->fragment.dialect != DIALECT_COURSE ||
             (renderer_march(renderer, &from, x, y, probe) &&
              renderer_project_steps(renderer, inputs, x, y, probe))) &&

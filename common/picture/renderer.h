@@ -7,18 +7,6 @@
 #include "picture/probe.h"
 #include "picture/renderer_pass.h"
 
-// Two pictures side by side: a divider separates the columns of the first from those of the second.
-// Both have the same camera, time, view and samples. The second picture follows the parameters of
-// the first, except those that it sets itself.
-struct comparison {
-    struct renderer *other; // draws the second picture; its comparison is NULL. Not owned
-    double divider;         // fraction of the width that belongs to the first picture, 0 to 1
-    const char *const *own; // NAME=VALUE: parameters that the second picture sets itself. Not owned
-    int own_count;
-    const char *label[2]; // the pictures' names; NULL if the parameters tell them apart. Not owned
-    bool gripped;         // the divider can be dragged, and shows a grip
-};
-
 // ---- Open, load, close ----
 
 // Create the triangle's vertex array and the targets, and read shaders/screen.vert.

@@ -6,7 +6,8 @@
 
 #include "memory.h"
 
-#define COARSE_BLOCK 8 // side of a block in pixels, as in shaders/coarse.glsl
+#define TILE         512 // side of a tile in pixels
+#define COARSE_BLOCK 8   // side of a block in pixels, as in shaders/coarse.glsl
 
 const char *const renderer_lens[RENDERER_LENSES] = {"focalLength", "orthographic"};
 
@@ -45,7 +46,9 @@ bool renderer_link(struct renderer *renderer, enum shader_view view)
             return false;
         renderer->location[view] = locate(renderer, *program);
     }
-    return (!shader_shows_ray(view) || renderer_link(renderer, VIEW_PROBE)) &&
+    bool keeps = view != VIEW_KEPT && samplers_keep(&renderer->parameters.samplers);
+    return (!keeps || renderer_link(renderer, VIEW_KEPT)) &&
+           (!shader_shows_ray(view) || renderer_link(renderer, VIEW_PROBE)) &&
            (!renderer_reads(renderer, view, UNIFORM_iCoarse) ||
             renderer_link(renderer, VIEW_COARSE));
 }
@@ -190,7 +193,8 @@ void renderer_pass(const struct renderer *renderer, const struct renderer_sample
     gl->Uniform2f(at[UNIFORM_iPixelOffset], offset[0], offset[1]);
     gl->Uniform2f(at[UNIFORM_harnessPixelOffset], offset[0], offset[1]); // for other dialects
     gl->Uniform2f(at[UNIFORM_iPixelJitter], jitter[0], jitter[1]);
-    blend(gl, sample->count);
+    if (!sample->exact)
+        blend(gl, sample->count);
     gl->DrawArrays(GL_TRIANGLES, 0, 3);
     gl->Disable(GL_BLEND);
 }
@@ -198,12 +202,46 @@ void renderer_pass(const struct renderer *renderer, const struct renderer_sample
 void renderer_fill(const struct renderer *renderer, const struct target *table, int left,
                    int bottom, int width, int height)
 {
-    static const struct renderer_sample only = {0, 1, {0.0f, 0.0f}};
+    static const struct renderer_sample only = {0, 1, {0.0f, 0.0f}, false};
     const struct gl *gl = renderer->gl;
     gl->Viewport(0, 0, table->width, table->height);
     gl->Enable(GL_SCISSOR_TEST);
     gl->Scissor(left, bottom, width, height);
     renderer_pass(renderer, &only, 0);
+    gl->Disable(GL_SCISSOR_TEST);
+}
+
+// Draw all samples of the tile that the scissor selects. Blending averages the samples: it adds
+// sample / count. Sample (i, j) of n x n is at ((i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5) from the
+// pixel's centre, so a single sample is at the centre, and the picture does not shift with n.
+static void draw_samples(const struct renderer *renderer, int samples, int bottom)
+{
+    for (int k = 0; k < samples * samples; k++) {
+        struct renderer_sample sample = {k,
+                                         samples * samples,
+                                         {((float)(k % samples) + 0.5f) / (float)samples - 0.5f,
+                                          ((float)(k / samples) + 0.5f) / (float)samples - 0.5f},
+                                         false};
+        renderer_pass(renderer, &sample, bottom);
+    }
+}
+
+void renderer_tiles(const struct renderer *renderer, const int low[2], const int high[2],
+                    int bottom, int samples, int frame)
+{
+    const struct gl *gl = renderer->gl;
+    const struct renderer_sample exact = {frame, 1, {0.0f, 0.0f}, true};
+    gl->Enable(GL_SCISSOR_TEST);
+    for (int y = low[1]; y < high[1]; y += TILE)
+        for (int x = low[0]; x < high[0]; x += TILE) {
+            gl->Scissor(x, y, high[0] - x < TILE ? high[0] - x : TILE,
+                        high[1] - y < TILE ? high[1] - y : TILE);
+            if (samples == 0)
+                renderer_pass(renderer, &exact, bottom);
+            else
+                draw_samples(renderer, samples, bottom);
+            gl->Flush();
+        }
     gl->Disable(GL_SCISSOR_TEST);
 }
 

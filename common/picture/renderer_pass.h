@@ -7,6 +7,7 @@
 
 #include "camera.h"
 #include "picture/axis_labels.h"
+#include "picture/kept.h"
 #include "picture/sculpture.h"
 #include "picture/target.h"
 #include "picture/texture.h"
@@ -30,6 +31,7 @@ struct renderer_eye {
 struct renderer_inputs {
     int width, height; // size of the whole picture, pixels
     struct camera camera;
+    double begin;      // seconds: the time of frame 0
     double time;       // seconds
     double time_delta; // seconds since the last frame; 0 for the first
     int frame;         // index of the frame, from 0
@@ -84,6 +86,18 @@ struct renderer_inputs {
 enum renderer_uniform { RENDERER_UNIFORMS(RENDERER_UNIFORM) RENDERER_UNIFORM_COUNT };
 #undef RENDERER_UNIFORM
 
+// Two pictures side by side: a divider separates the columns of the first from those of the second.
+// Both have the same camera, time, view and samples. The second picture follows the parameters of
+// the first, except those that it sets itself.
+struct comparison {
+    struct renderer *other; // draws the second picture; its comparison is NULL. Not owned
+    double divider;         // fraction of the width that belongs to the first picture, 0 to 1
+    const char *const *own; // NAME=VALUE: parameters that the second picture sets itself. Not owned
+    int own_count;
+    const char *label[2]; // the pictures' names; NULL if the parameters tell them apart. Not owned
+    bool gripped;         // the divider can be dragged, and shows a grip
+};
+
 // Everything needed to draw one shader file. A renderer is opened once; a shader is loaded into it,
 // and loaded again when the shader's file changes.
 struct renderer {
@@ -94,6 +108,7 @@ struct renderer {
     struct parameters parameters;  // the parameters of this shader
     struct textures textures;      // the textures of its samplers
     struct sculpture sculpture;    // the volume in one of these textures, if the chapter has a tool
+    struct kept kept;              // what its frames have kept, if it has a sampler that reads this
     struct axis_labels labels;     // the numbers and words that its views write
     enum shader_view view;
     float focal_length;                   // for shaders that do not declare focalLength
@@ -117,9 +132,10 @@ struct renderer {
 
 // ---- Programs ----
 
-// Link a view, and the programs that its pictures need: the slice and plot views show a probe, and
-// a program that calls coarseStart reads the coarse pass. Thus an error in any of them is found
-// while the old shader is still loaded. Returns false after reporting the error.
+// Link a view, and the programs that its pictures need: the slice and plot views show a probe, a
+// program that calls coarseStart reads the coarse pass, and a shader may read its last frame. Thus
+// an error in any of them is found while the old shader is still loaded. Returns false after
+// reporting the error.
 bool renderer_link(struct renderer *renderer, enum shader_view view);
 
 // Delete all programs.
@@ -152,6 +168,9 @@ void renderer_clear(const struct gl *gl);
 struct renderer_sample {
     int number, count; // the sample's index, from 0, and the number of samples
     float jitter[2];   // offset from the pixel's centre, pixels
+    // The colours replace the target's bits: without blending, which multiplies the old value by 0,
+    // a NaN in the target does no harm, and bit patterns that are stored as floats stay intact.
+    bool exact;
 };
 
 // Draw the triangle into the current target, with the current viewport and scissor.
@@ -162,6 +181,16 @@ void renderer_pass(const struct renderer *renderer, const struct renderer_sample
 // Draw a rectangle of texels into a table, which must be bound, with a single sample per texel.
 void renderer_fill(const struct renderer *renderer, const struct target *table, int left,
                    int bottom, int width, int height);
+
+// Draw a rectangle of the picture, tile by tile: each draw call covers so few pixels that none
+// occupies a GPU for seconds.
+//   low, high  opposite corners of the rectangle in the target, pixels, the upper one excluded
+//   bottom     the row of the picture that is the target's bottom row
+//   samples    along each side of a pixel: their mean is drawn. 0 for one sample, drawn exactly,
+//              whose number is that of the frame
+//   frame      index of the frame, if samples is 0
+void renderer_tiles(const struct renderer *renderer, const int low[2], const int high[2],
+                    int bottom, int samples, int frame);
 
 // The coarse pass: before each picture, one march for each block of 8 x 8 pixels finds a distance
 // up to which none of the block's rays meets anything. shaders/coarse.glsl describes the pass and

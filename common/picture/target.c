@@ -2,6 +2,7 @@
 
 #include <stddef.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "report.h"
 #include "shader/program.h"
@@ -19,8 +20,8 @@ static const char fragment_text[] = GL_GLSL "out vec4 fragment;\n"
                                             "    fragment = vec4(0.25);\n"
                                             "}\n";
 
-// In one pixel, use blending to add a quarter to 0 twice.
-static void draw_half(const struct gl *gl, GLuint program)
+// In one pixel, draw a quarter or, with blending, add a quarter to 0 twice.
+static void draw_trial(const struct gl *gl, GLuint program, bool blends)
 {
     GLuint vertex_array;
     gl->GenVertexArrays(1, &vertex_array);
@@ -29,7 +30,8 @@ static void draw_half(const struct gl *gl, GLuint program)
     gl->Viewport(0, 0, 1, 1);
     gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     gl->Clear(GL_COLOR_BUFFER_BIT);
-    gl->Enable(GL_BLEND);
+    if (blends)
+        gl->Enable(GL_BLEND);
     gl->BlendFunc(GL_ONE, GL_ONE);
     for (int i = 0; i < 2; i++)
         gl->DrawArrays(GL_TRIANGLES, 0, 3);
@@ -83,7 +85,7 @@ static bool make(struct target *target, const struct gl *gl, int width, int heig
     return made;
 }
 
-GLenum target_format(const struct gl *gl)
+GLenum target_format(const struct gl *gl, bool blends)
 {
     struct target target;
     enum shader_step step;
@@ -93,12 +95,24 @@ GLenum target_format(const struct gl *gl)
     free(log);
     target_open(&target, gl, GL_RGBA32F);
     if (program != 0 && make(&target, gl, 1, 1)) {
-        draw_half(gl, program);
+        draw_trial(gl, program, blends);
         target_read(&target, gl, sum);
     }
     target_close(&target, gl);
     gl->DeleteProgram(program);
-    return sum[0] == 0.5f ? GL_RGBA32F : GL_RGBA16F;
+    return sum[0] == (blends ? 0.5f : 0.25f) ? GL_RGBA32F : GL_RGBA16F;
+}
+
+void target_filter(const struct target *target, const struct gl *gl)
+{
+    bool can = !GL_IS_ES || target->format != GL_RGBA32F ||
+               strstr((const char *)gl->GetString(GL_EXTENSIONS), "texture_float_linear") != NULL;
+    gl->BindTexture(GL_TEXTURE_2D, target->texture);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, can ? GL_LINEAR : GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, can ? GL_LINEAR : GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl->BindTexture(GL_TEXTURE_2D, 0);
 }
 
 void target_open(struct target *target, const struct gl *gl, GLenum format)

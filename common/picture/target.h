@@ -25,9 +25,14 @@ void target_upload(const struct gl *gl, int width, int height, const unsigned ch
 // A vertex shader that needs no buffer: its three vertices form a triangle that covers the target.
 extern const char target_vertex[];
 
-// Return the format for targets that are drawn into with blending: GL_RGBA32F, into which OpenGL
-// 3.3 requires every driver to blend, or GL_RGBA16F if this driver cannot blend into it.
-GLenum target_format(const struct gl *gl);
+// Return the format for targets: GL_RGBA32F, into which OpenGL 3.3 requires every driver to draw
+// and to blend, or GL_RGBA16F if this driver cannot.
+//   blends  the targets are drawn into with blending
+GLenum target_format(const struct gl *gl, bool blends);
+
+// Let a target's texture be read with linear filtering, if the driver can filter its format, and
+// continue its edge. Without this call, the nearest texel is read.
+void target_filter(const struct target *target, const struct gl *gl);
 
 // Open a target without pixels, and close it.
 //   format  GL_RGBA32F, GL_RGBA16F or GL_RGBA8

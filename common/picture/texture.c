@@ -244,10 +244,19 @@ bool textures_load(struct textures *textures, const struct gl *gl, const struct 
     return true;
 }
 
+void texture_borrow(struct texture *texture, const struct target *target)
+{
+    texture->borrowed = true;
+    texture->texture = target->texture;
+    texture->size[0] = target->width;
+    texture->size[1] = target->height;
+}
+
 void textures_free(struct textures *textures, const struct gl *gl)
 {
     for (int i = 0; i < textures->count; i++)
-        gl->DeleteTextures(1, &textures->item[i].texture);
+        if (!textures->item[i].borrowed)
+            gl->DeleteTextures(1, &textures->item[i].texture);
     free(textures->item);
     *textures = (struct textures){0};
 }

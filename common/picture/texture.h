@@ -6,6 +6,7 @@
 
 #include "context/gl.h"
 #include "picture/image.h"
+#include "picture/target.h"
 #include "shader/parameter.h"
 
 #define TEXTURE_UNIFORMS 3  // per texture: its sampler, and its size for Shadertoy and glslViewer
@@ -36,7 +37,8 @@ struct texture {
     int channel;   // as in struct sampler
     GLenum target;
     GLuint texture;
-    int size[2]; // pixels
+    bool borrowed; // the texture belongs to a target
+    int size[2];   // pixels
 };
 
 struct textures {
@@ -53,6 +55,9 @@ struct textures {
 bool textures_load(struct textures *textures, const struct gl *gl, const struct samplers *samplers,
                    const struct shader_source *source);
 void textures_free(struct textures *textures, const struct gl *gl);
+
+// Let a sampler read what was drawn into a target.
+void texture_borrow(struct texture *texture, const struct target *target);
 
 // Look up the uniforms of a linked program that belong to its textures.
 //   location  receives TEXTURE_UNIFORMS locations for each texture

@@ -8,6 +8,7 @@
 #include "report.h"
 
 #define EXAMPLE2 "uniform sampler2D NAME; // \"stone.png\" sRGB repeat: meaning"
+#define EXAMPLEF "uniform sampler2D history; // the last frame"
 #define EXAMPLE3 "uniform sampler3D NAME; // \"noise.png\" linear repeat 64: meaning"
 
 // Read one of two words.
@@ -64,6 +65,34 @@ static bool read_picture(struct annotation *a, bool volume, char file[256])
            annotation_copy(a, "meaning", sampler->meaning, sizeof sampler->meaning, strlen(a->c));
 }
 
+// Read the words for a sampler of what the last frame has kept. Returns false without reporting an
+// error if the comment does not begin with them.
+//   good  receives false after the report of an error
+static bool read_last_frame(struct annotation *a, bool volume, bool *good)
+{
+    struct sampler *sampler = &a->sampler;
+    if (!annotation_accept_word(a, "the") || !annotation_accept_word(a, "last") ||
+        !annotation_accept_word(a, "frame"))
+        return false;
+    a->example = EXAMPLEF;
+    sampler->pass = 1;
+    sampler->file = -1;
+    snprintf(sampler->meaning, sizeof sampler->meaning, "what frameKept returned");
+    if (volume)
+        *good = annotation_refuse(a, "the last frame is no volume: use a sampler2D");
+    else if (glsl_find_definition(&a->source->code, "frameKept") == NULL)
+        *good = annotation_refuse(a, "reads the last frame, but no function says what a frame "
+                                     "keeps: define vec4 frameKept(vec2 pixel)");
+    else if (annotation_accept(a, ':'))
+        *good =
+            annotation_copy(a, "meaning", sampler->meaning, sizeof sampler->meaning, strlen(a->c));
+    else
+        *good = *a->c == '\0' ||
+                annotation_refuse(a, "'%.20s' is not understood: write it as in \"%s\"", a->c,
+                                  a->example);
+    return true;
+}
+
 // The FILE of the last --texture NAME=FILE for this name, or NULL if there is none.
 static const char *other_file(const struct shader_source *source, const char *name)
 {
@@ -93,6 +122,9 @@ static bool find_file(struct annotation *a, struct shader_source *source, const 
 {
     char why[TEXT_FILE_WHY];
     const char *other = other_file(source, a->name);
+    if (a->sampler.pass > 0)
+        return other == NULL ||
+               annotation_refuse(a, "reads the last frame, not the picture of --texture");
     a->sampler.file = other != NULL
                           ? shader_take_texture(source, other, why)
                           : shader_find_texture(source, source->lines[a->line].file, file, why);
@@ -122,7 +154,7 @@ static bool read_sampler(struct samplers *samplers, struct shader_source *source
     // The samplers of the march, of the coarse pass and of the axis labels, which the harness sets
     // itself.
     static const char *const own[] = {"iMarch", "iCoarse", "iSigns", NULL};
-    bool volume = glsl_is(type, "sampler3D"), twice = false;
+    bool volume = glsl_is(type, "sampler3D"), twice = false, good = true;
     struct annotation a;
     char file[256];
     if (glsl_is_any(type + 1, own))
@@ -137,7 +169,7 @@ static bool read_sampler(struct samplers *samplers, struct shader_source *source
                            "the type %s cannot be a texture: use sampler2D, or sampler3D for a "
                            "volume",
                            type->text)) &&
-        read_picture(&a, volume, file);
+        (read_last_frame(&a, volume, &good) ? good : read_picture(&a, volume, file));
     memcpy(a.sampler.name, a.name, sizeof a.name);
     for (int i = 0; i < samplers->count; i++)
         twice |= strcmp(samplers->item[i].name, a.name) == 0;

@@ -278,6 +278,14 @@ bool samplers_fit(const struct samplers *samplers, const struct shader_source *s
     return true;
 }
 
+bool samplers_keep(const struct samplers *samplers)
+{
+    for (int i = 0; i < samplers->count; i++)
+        if (samplers->item[i].pass > 0)
+            return true;
+    return false;
+}
+
 bool sampler_refuse(const struct shader_source *source, const struct sampler *sampler,
                     const char *format, ...)
 {
@@ -363,7 +371,9 @@ void samplers_print(const struct samplers *samplers, const struct shader_source 
         const struct sampler *s = &samplers->item[i];
         char **row = cell + 6 * (i + 1);
         row[0] = memory_text("%s", s->name);
-        row[1] = memory_text("%s", s->file < 0 ? "-" : source->files[s->file]);
+        row[1] = memory_text("%s", s->pass > 0   ? "the last frame"
+                                   : s->file < 0 ? "-"
+                                                 : source->files[s->file]);
         row[2] = memory_text("%s", s->srgb ? "sRGB" : "linear");
         row[3] = memory_text("%s", s->repeat ? "repeat" : "clamp");
         row[4] = s->slices > 0 ? memory_text("%d", s->slices) : memory_text("-");

@@ -65,6 +65,9 @@ struct sampler {
     bool srgb, repeat; // if false: linear, clamp
     int slices;        // number of slices of a volume; 0 for a picture
     bool cube;         // a cube map
+    // The number of the pass whose last picture it reads, from 1; 0 if it reads a file. A course
+    // shader has one pass, what it keeps itself.
+    int pass;
     char meaning[200];
 };
 
@@ -173,6 +176,9 @@ bool samplers_fit(const struct samplers *samplers, const struct shader_source *s
 // Report a problem with a sampler's picture. Always returns false.
 bool sampler_refuse(const struct shader_source *source, const struct sampler *sampler,
                     const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+// True if a sampler reads what an earlier frame has kept.
+bool samplers_keep(const struct samplers *samplers);
 
 // Print the table of --list, with name, file, colour, edge, slices and meaning. Prints nothing if
 // there are no samplers.

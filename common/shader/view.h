@@ -33,7 +33,8 @@ enum view_kind {
     ROW(COVER, NUMBERS, 0, "evaluation counts") /* of each pixel: the taken and the needed ones */ \
     ROW(COARSE, NUMBERS, 0, "coarse pass")  /* where the rays of a block of pixels may start */    \
     ROW(POSITIONS, NUMBERS, 0, "positions") /* of points, such as a ray's steps, in the picture */ \
-    ROW(ROOM, NUMBERS, 0, "camera stop")    /* where a moving camera stops */
+    ROW(ROOM, NUMBERS, 0, "camera stop")    /* where a moving camera stops */                      \
+    ROW(KEPT, NUMBERS, 0, "kept frame")     /* what a frame keeps for the next one */
 
 enum shader_view {
 #define VIEW_NAME(id, kind, key, name) VIEW_##id,

@@ -11,6 +11,7 @@
 #include "report.h"
 #include "window/contents.h"
 #include "window/field.h"
+#include "window/frames.h"
 #include "window/full_screen.h"
 #include "window/handle.h"
 #include "window/keys.h"
@@ -64,6 +65,7 @@ static void roll(struct window *window)
 static void restart(struct window *window, int camera)
 {
     window->inputs.time = window->start->time;
+    window->inputs.frame = window_keeps(window) ? 0 : window->inputs.frame;
     if (camera)
         window->inputs.camera = window->start->camera;
     window->stale = true;

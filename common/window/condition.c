@@ -1,6 +1,7 @@
 #include "window/condition.h"
 
 #include "picture/comparison.h"
+#include "window/frames.h"
 #include "window/lens.h"
 #include "window/state.h"
 
@@ -21,7 +22,7 @@ bool window_uses_time(const struct window *window)
 {
     const struct renderer *renderer = window->renderer;
     bool slice = shader_shows_ray(renderer->view), selected = window->inputs.pixel[0] >= 0;
-    return program_uses_time(renderer, renderer->view) ||
+    return window_keeps(window) || program_uses_time(renderer, renderer->view) ||
            ((selected || slice) && program_uses_time(renderer, VIEW_PROBE)) ||
            (selected && slice && program_uses_time(renderer, VIEW_PICTURE));
 }

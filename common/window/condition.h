@@ -24,7 +24,7 @@ enum key_condition {
     KEY_IN_LECTURE
 };
 
-// True if the picture on the screen depends on the time.
+// True if the picture on the screen depends on the time, or on frames that are kept.
 bool window_uses_time(const struct window *window);
 
 // True if the window's scenes have contents, as those of the course do.

@@ -11,6 +11,7 @@
 #include "report.h"
 #include "window/condition.h"
 #include "window/contents.h"
+#include "window/frames.h"
 #include "window/handle.h"
 #include "window/keys.h"
 #include "window/panel_input.h"
@@ -143,16 +144,8 @@ static void fill_overlay(struct window *window)
 //   pixels   receives the number of pixels, each as often as it was drawn
 static bool draw_at(struct window *window, int level, int samples, double *pixels)
 {
-    struct renderer_inputs inputs = window->inputs;
-    double divisor = resolution_divisor(level);
+    struct renderer_inputs inputs = window_inputs_at(window, level);
     inputs.samples = samples;
-    inputs.width = resolution_side(level, inputs.width);
-    inputs.height = resolution_side(level, inputs.height);
-    for (int i = 0; i < 2 && inputs.pixel[0] >= 0; i++)
-        inputs.pixel[i] = (int)(inputs.pixel[i] / divisor);
-    for (int i = 0; i < 4; i++)
-        inputs.mouse[i] /= (float)divisor;
-    inputs.digits /= (float)divisor;
     double begin = glfwGetTime();
     if (!renderer_draw(window->renderer, &inputs, 0, inputs.height))
         return false;
@@ -197,11 +190,11 @@ static bool try_program(struct window *window)
 }
 
 // True if edges may be smoother than the command line asks. In a page, the picture of a program is
-// compared with that of a file.
+// compared with that of a file. Frames that are kept have one sample for each pixel.
 static bool may_smooth(const struct window *window)
 {
     return window->start->smooths && !window->shooting && !window->panel.in_page &&
-           window->renderer->view == VIEW_PICTURE;
+           window->renderer->view == VIEW_PICTURE && !window_keeps(window);
 }
 
 // Draw the picture at the resolution that its cost allows, and with smooth edges if there is time.
@@ -209,11 +202,16 @@ static bool draw_picture(struct window *window, double now)
 {
     if (window->moved)
         window->sharpening.due = now + REST_SECONDS;
-    if (!try_program(window))
-        return false;
     struct resolution *resolution = &window->pace.resolution;
+    window_follow_frames(window, resolution->level);
+    bool begun = window_keeps(window) && window->inputs.frame > 0;
+    if (!begun && !try_program(window))
+        return false;
     double drawn, pixels = pixels_of(&window->inputs);
-    int level = resolution_choose(resolution, pixels), samples = window->inputs.samples;
+    int level =
+        window_holds_size(window) ? resolution->level : resolution_choose(resolution, pixels);
+    int samples = window->inputs.samples;
+    window_follow_frames(window, level);
     if (may_smooth(window) && level == 0 &&
         resolution_cost(resolution) * pixels * MOVING_SMOOTH * MOVING_SMOOTH < MOVING_SECONDS)
         samples = MOVING_SMOOTH;
@@ -227,7 +225,7 @@ static bool draw_picture(struct window *window, double now)
     window->sharpening.smooths = false;
     window->sharpening.next =
         fmin(PIECE_SECONDS * drawn / (window->pace.seconds + 1e-9), 64.0 * window->inputs.width);
-    window->inputs.frame++;
+    window->inputs.frame += !window_keeps(window);
     return true;
 }
 
@@ -242,7 +240,8 @@ static bool begins_to_smooth(const struct window *window, double now)
 
 bool window_sharpens(const struct window *window, double now)
 {
-    bool pieces = window->pace.resolution.level > 0 || window->sharpening.smooths;
+    bool pieces =
+        (window->pace.resolution.level > 0 && !window_keeps(window)) || window->sharpening.smooths;
     return begins_to_smooth(window, now) ||
            (pieces && window->sharpening.rows < window->sharpening.inputs.height &&
             now >= window->sharpening.due);
@@ -366,7 +365,8 @@ bool window_draw(struct window *window, double now)
         window->dirty = false;
         return true;
     }
-    inputs->time_delta = inputs->frame > 0 && !window->paused ? now - window->pace.frame : 0.0;
+    if (!window_keeps(window))
+        inputs->time_delta = inputs->frame > 0 && !window->paused ? now - window->pace.frame : 0.0;
     update_date(&window->inputs);
     if (draws && !draw_picture(window, now))
         return false;

@@ -8,6 +8,7 @@
 void window_retitle(struct window *window);
 
 // True if the picture on the screen is coarse and has been at rest for long enough to be sharpened.
+// Frames that are kept are never sharpened, because they would begin again at another size.
 //   now  the current time, from glfwGetTime
 bool window_sharpens(const struct window *window, double now);
 

@@ -6,6 +6,7 @@
 #include "picture/comparison.h"
 #include "picture/renderer_ray.h"
 #include "report.h"
+#include "window/frames.h"
 
 // Show the ray again, in the overlay and in a picture that reads its march.
 static void refresh(struct window *window)
@@ -120,7 +121,7 @@ void window_table_input(struct window *window, const struct window_event *event)
 
 void window_follow_ray(struct window *window)
 {
-    const struct renderer_inputs *inputs = &window->inputs;
+    const struct renderer_inputs *inputs = &window->inputs, shown = window_inputs_shown(window);
     const int *pixel = window->inputs.pixel;
     if (pixel[0] >= inputs->width || pixel[1] >= inputs->height || (pixel[0] >= 0 && pixel[1] < 0))
         window_deselect_ray(window);
@@ -130,12 +131,17 @@ void window_follow_ray(struct window *window)
         DIALECT_COURSE) {
         snprintf(window->ray.why, sizeof window->ray.why,
                  "no march: only shaders in the course's dialect record their rays");
-    } else if (!renderer_probe(window->renderer, inputs, pixel[0], pixel[1], window->ray.probe)) {
+    } else if (!renderer_probe(window->renderer, &shown, shown.pixel[0], shown.pixel[1],
+                               window->ray.probe)) {
         snprintf(window->ray.why, sizeof window->ray.why, "%s", report_last());
     } else if (window->ray.print) {
         printf("ray of pixel %d,%d\n", pixel[0], pixel[1]);
         probe_print(window->ray.probe, stdout);
         fflush(stdout);
     }
+    // The overlay marks the steps in a picture of the window's size.
+    for (int k = 0; shown.width < inputs->width && k < probe_rows(window->ray.probe); k++)
+        for (int i = 0; i < 2; i++)
+            window->ray.probe->step[k].pixel[i] *= (float)inputs->width / (float)shown.width;
     window->ray.print = false;
 }

@@ -6,12 +6,13 @@
 #include "picture/comparison.h"
 #include "platform.h"
 #include "report.h"
+#include "window/frames.h"
 
 #define LAST 9999 // the highest number of a screenshot
 
 bool window_screenshot_due(const struct window *window)
 {
-    return window->shooting && (window->pace.resolution.level == 0 ||
+    return window->shooting && (window->pace.resolution.level == 0 || window_keeps(window) ||
                                 window->sharpening.rows == window->sharpening.inputs.height);
 }
 
@@ -44,11 +45,15 @@ void window_screenshot(struct window *window)
 {
     struct image image = {0};
     char path[256];
-    bool sharpened = window->pace.resolution.level > 0;
+    const struct renderer_inputs inputs = window_inputs_shown(window);
+    bool small = inputs.width < window->inputs.width;
+    bool sharpened = window->pace.resolution.level > 0 && !window_keeps(window);
     window->shooting = false;
     add_labels(window);
+    if (small) // the overlay has the size of the window
+        window->renderer->overlay = NULL;
     bool drawn = sharpened ? renderer_sharp_picture(window->renderer, &image)
-                           : renderer_picture(window->renderer, &window->inputs, &image);
+                           : renderer_picture(window->renderer, &inputs, &image);
     if (drawn && find_name(window, path) && image_write_png(&image, path)) {
         report_result("%s: written, %dx%d\n", path, image.width, image.height);
         fflush(stdout);

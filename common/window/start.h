@@ -23,6 +23,8 @@ struct window_start {
     int pictures;            // 1, or 2 with a comparison
     struct camera camera;    // the initial camera
     double time;             // the initial time, in seconds
+    int frame;               // the frame at which a shader that keeps frames stops; -1 for none
+    double rate;             // frames per second of such a shader; 0 for PASSES_RATE
     bool paused;             // the time is stopped until Escape is pressed
     int samples;             // samples along each side of a pixel
     bool smooths;            // a picture at rest is drawn again with smooth edges

@@ -7,12 +7,14 @@
 
 #include "memory.h"
 #include "picture/comparison.h"
+#include "picture/passes.h"
 #include "report.h"
 #include "shader/compile.h"
 #include "window/actions.h"
 #include "window/condition.h"
 #include "window/contents.h"
 #include "window/draw.h"
+#include "window/frames.h"
 #include "window/full_screen.h"
 #include "window/handle.h"
 #include "window/keys.h"
@@ -163,8 +165,9 @@ static bool turn(struct window *window)
     if (!window->has_keyboard && glfwGetWindowAttrib(window->handle, GLFW_FOCUSED) != 0)
         window->has_keyboard = window->dirty = true;
     if (!window->paused && !window->shooting) {
-        window->inputs.time += now - window->pace.turn;
-        window->moved |= window_uses_time(window);
+        bool keeps = window_keeps(window);
+        window->inputs.time += keeps ? 0.0 : now - window->pace.turn;
+        window->moved |= keeps ? window_next_frame(window) : window_uses_time(window);
     }
     window->moved |=
         window_continue_transition(window, fmin(now - window->pace.turn, TRANSITION_STEP));
@@ -244,6 +247,7 @@ void window_show(struct window *window, const struct window_start *start, bool a
         .inputs = {.width = window->inputs.width,
                    .height = window->inputs.height,
                    .camera = start->camera,
+                   .begin = start->time,
                    .time = start->time,
                    .samples = start->samples,
                    .strokes = start->strokes,
@@ -269,6 +273,10 @@ void window_show(struct window *window, const struct window_start *start, bool a
         .stale = true,
         .dirty = true,
     };
+    if (start->frame > 0 && !window_keeps(fresh)) {
+        fresh->inputs.rate = start->rate;
+        fresh->inputs = passes_inputs(&fresh->inputs, start->frame);
+    }
     if (start->selected != NULL)
         snprintf(fresh->parameter, sizeof fresh->parameter, "%.*s",
                  (int)strcspn(start->selected, "="), start->selected);

@@ -123,6 +123,20 @@ reads_both() {
 check 'the export of a shader that reads textures is refused, and the textures are named' reads_both
 printf '%s\n' '#version 330 core' 'uniform sampler2D iChannel0; uniform vec3 iChannelResolution[4];' 'in vec2 FragCoord; out vec4 c;' \
     'void main() { c = texture(iChannel0, 0.3 * FragCoord) * min(iChannelResolution[0].x, 1.0); }' >"$scratch/channel.frag"
+{
+    printf '#include "main.glsl"\nuniform sampler2D history; // the last frame\nuniform sampler2D a; // "granite.png" sRGB repeat: x\n'
+    printf 'Ray pixelRay(vec2 s) { return Ray(vec3(s, 0.0), vec3(0.0, 0.0, -1.0)); }\nfloat sceneDistance(vec3 p) { return p.z; }\n'
+    printf 'vec4 frameKept(vec2 p) { return texelFetch(history, iPixel, 0) + texelFetch(a, iPixel, 0); }\n'
+    printf 'vec3 rayColour(Ray ray) { return texelFetch(history, iPixel, 0).rgb; }\n'
+} >"$scratch/kept.frag"
+keeps() {
+    ! prints "$BUILD/01_normal_colouring" -f "$scratch/kept.frag" && refused_textures "$BUILD/01_normal_colouring" -f "$scratch/kept.frag" &&
+        grep -q 'reads the last frame, shaders/textures/granite.png: .*an export has no buffers' "$scratch/err" &&
+        ! "$BUILD/01_normal_colouring" -f "$scratch/kept.frag" --print-shader=page >"$scratch/page.frag" 2>"$scratch/err" &&
+        [ ! -s "$scratch/page.frag" ] && grep -q 'kept.frag: reads the last frame: a page' "$scratch/err"
+}
+check 'the export of a shader that reads the last frame is refused' keeps
+
 channel=(--channel "0=shaders/textures/granite.png")
 same_channel() {
     "$BUILD/01_normal_colouring" -f "$scratch/channel.frag" "${channel[@]}" "${small[@]}" -o "$scratch/own.png" &&

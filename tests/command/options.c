@@ -137,9 +137,11 @@ TEST(a_film_has_frames_and_a_rate)
 {
     ACCEPTED("--frames 100000 --fps 0.5 -o a%05d.png",
              o.frames == 100000 && o.fps == 0.5 && o.width == 640);
-    ACCEPTED("--frames 1 -o %d.png", o.fps == 25.0);
+    ACCEPTED("--frames 1 -o %d.png", o.fps == 0.0); // the shader decides
     ACCEPTED("--frames 100-199 -o %d.png", o.first_frame == 100 && o.frames == 200);
     ACCEPTED("--frames 7-7 --frames 3 -o %d.png", o.first_frame == 0 && o.frames == 3);
+    ACCEPTED("--frame 99999 --fps 2 -o a.png", o.has_frame && o.frame == 99999 && o.fps == 2.0);
+    ACCEPTED("--frame 0", o.window && o.has_frame && o.frame == 0);
     ACCEPTED("-o %d.png", o.frames == 0); // without --frames, %d is an ordinary part of a name
     ACCEPTED("--frames 2 --probe 1,1 -v slice -o %d.png", o.frames == 2);
 }
@@ -290,6 +292,10 @@ static const char *const mistakes[][2] = {
     {"--frames 2", "requires --output"},
     {"--fps 2 -o %d.png", "requires --frames"},
     {"--frames 2 -o a.png", "must contain one %d"},
+    {"--frame -1 -o a.png", "--frame '-1': must be a whole number between 0 and 99999"},
+    {"--frame 100000 -o a.png", "between 0 and 99999"},
+    {"--frame 1 --frames 2 -o %d.png", "--frame: cannot be combined with --frames"},
+    {"--frame 99999 --fps 0.001 -t 1e9 -o a.png", "--frame: the last time"},
     {"--frames 2 --probe 1,1 -o %d.png", "cannot be combined with --frames"},
     {"-v slice --step -1 -o a.png", "--step '-1': must be a whole number between 0"},
     {"-v slice --step 2048 -o a.png", "between 0 and 2047, or walk"},

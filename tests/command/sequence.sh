@@ -72,6 +72,30 @@ default_fps() {
         cmp -s "$scratch/one.png" "$out/25.png"
 }
 check 'a film has 25 pictures per second by default' default_fps
+
+# A shader that keeps frames: each adds its number to the half of the last one, and is drawn after all before it.
+{
+    printf '#include "main.glsl"\nuniform sampler2D history; // the last frame\n'
+    printf 'Ray pixelRay(vec2 s) { return Ray(vec3(s, 0.0), vec3(0.0, 0.0, -1.0)); }\nfloat sceneDistance(vec3 p) { return p.z; }\n'
+    printf 'vec4 frameKept(vec2 p) { return 0.5 * texelFetch(history, iPixel.yx %% 36, 0) + fract(iTime * p.x * 7.1 + iDate.w); }\n'
+    printf 'vec3 rayColour(Ray ray) { return 0.5 * texelFetch(history, iPixel, 0).rgb; }\n'
+} >"$scratch/keeps.frag"
+keeping() { "$BUILD/01_normal_colouring" "${small[@]}" -f "$scratch/keeps.frag" "$@"; }
+beginnings() { # a film that begins later has the same pictures, and so has a single picture, whatever its samples
+    clear_out
+    keeping -t 1 --frames 10 -o "$out/a%d.png" && keeping -t 1 --frames 5-9 -o "$out/b%d.png" &&
+        cmp -s "$out/a5.png" "$out/b5.png" && cmp -s "$out/a9.png" "$out/b9.png" && ! cmp -s "$out/a8.png" "$out/a9.png" &&
+        [ "$(names)" = "$(printf '%s ' a0.png a1.png a2.png a3.png a4.png a5.png a6.png a7.png a8.png a9.png b5.png b6.png b7.png b8.png b9.png)" ] &&
+        keeping -t 1 --frame 9 -o "$out/c.png" && cmp -s "$out/a9.png" "$out/c.png" &&
+        keeping -t 1 --frame 9 --samples 2 -o "$out/d.png" && cmp -s "$out/a9.png" "$out/d.png" &&
+        keeping -t 1 --frame 9 --fps 60 -o "$out/e.png" && cmp -s "$out/a9.png" "$out/e.png" &&
+        keeping -t 1 --frame 9 --fps 61 -o "$out/f.png" && ! cmp -s "$out/a9.png" "$out/f.png"
+}
+check 'films of kept frames with different beginnings have the same pictures, at 60 per second' beginnings
+single() { # without kept frames, --frame is the picture of a film with that number
+    "$program" "${small[@]}" --frames 4-4 -o "$out/g%d.png" && "$program" "${small[@]}" --frame 4 -o "$out/h.png" && cmp -s "$out/g4.png" "$out/h.png"
+}
+check '--frame N is picture N of a film' single
 settings() {
     "$BUILD/01_normal_colouring" "${small[@]}" -a 2 -v steps -p maxSteps=20 --frames 1 -o "$out/s%d.png" &&
         "$BUILD/01_normal_colouring" "${small[@]}" -a 2 -v steps -p maxSteps=20 -o "$scratch/one.png" &&

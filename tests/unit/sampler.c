@@ -133,6 +133,13 @@ static const char *const wrong[][2] = {
     {"uniform sampler2D a; // \"stone.png\" sRGB repeat", "meaning is missing"},
     {"uniform sampler2D a; // \"stone.png\" sRGB repeat:  ", "meaning is missing"},
     {"uniform sampler2D a; // \"stone.png\" sRGB repeat 4: x", "has no slices"},
+    {"uniform sampler2D a; // the last frame", "define vec4 frameKept(vec2 pixel)"},
+    {"uniform sampler3D a; // the last frame", "is no volume: use a sampler2D"},
+    {"uniform sampler2D a; // the last", "no picture is named"},
+    {"vec4 frameKept(vec2 p) { return vec4(0.0); }\nuniform sampler2D a; // the last frame of it",
+     "'of it' is not understood"},
+    {"vec4 frameKept(vec2 p) { return vec4(0.0); }\nuniform sampler2D a; // the last frame:",
+     "meaning is missing"},
     {"uniform sampler3D a; // \"stone.png\" sRGB repeat: x", "needs the number of its slices"},
     {"uniform sampler3D a; // \"stone.png\" sRGB repeat 0: x", "a whole number from 1 to 2048"},
     {"uniform sampler3D a; // \"stone.png\" sRGB repeat -4: x", "a whole number from 1"},
@@ -331,6 +338,26 @@ TEST(test_the_table_describes_a_texture)
     assert_string_equal(
         text, "\ntexture  file                        colour  edge    slices  meaning\n"
               "a        shaders/textures/stone.png  linear  clamp   12      what it is\n");
+}
+
+TEST(test_a_sampler_reads_the_last_frame)
+{
+    static const char text[] = "vec4 frameKept(vec2 p) { return vec4(0.0); }\n"
+                               "uniform sampler2D history; // the last frame\n"
+                               "uniform sampler2D more; // the last frame: the same\n";
+    char path[4096];
+    snprintf(path, sizeof path, "history=%s", scratch_path("outside.png"));
+    const char *const textures[1] = {path};
+    const struct shader_request request = {.textures = textures, .texture_count = 1};
+    const struct samplers *read = samplers_of(text, NULL);
+    bool done;
+    assert_int_equal(read->count, 2);
+    assert_true(samplers_keep(read));
+    assert_true(read->item[0].pass == 1 && read->item[0].file == -1);
+    assert_string_equal(read->item[1].meaning, "the same");
+    assert_true(strstr(read_asked(text, &request, &done), "not the picture of --texture") != NULL);
+    assert_false(done);
+    assert_false(samplers_keep(samplers_of("float x;\n", NULL)));
 }
 
 static int tear_down(void **state)

@@ -1,0 +1,49 @@
+#include "picture/kept.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+const struct target *kept_frame(const struct kept *kept, int frame)
+{
+    return &kept->target[frame & 1];
+}
+
+void kept_follow(struct kept *kept, char *key, int frame)
+{
+    bool same = kept->key != NULL && strcmp(kept->key, key) == 0;
+    free(kept->key);
+    kept->key = key;
+    if (!same || kept->frames > frame + 1)
+        kept->frames = 0;
+}
+
+// Bind both targets one after the other, and set them to 0.
+static bool begin(struct kept *kept, const struct gl *gl, int width, int height)
+{
+    GLenum format = kept->target[0].framebuffer == 0 ? target_format(gl, false) : 0;
+    for (int i = 0; i < 2; i++) {
+        if (kept->target[i].framebuffer == 0)
+            target_open(&kept->target[i], gl, format);
+        if (!target_bind(&kept->target[i], gl, width, height))
+            return false;
+        target_filter(&kept->target[i], gl);
+        gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+        gl->Clear(GL_COLOR_BUFFER_BIT);
+    }
+    return true;
+}
+
+bool kept_bind(struct kept *kept, const struct gl *gl, int width, int height)
+{
+    return (kept->frames > 0 || begin(kept, gl, width, height)) &&
+           target_bind(&kept->target[kept->frames & 1], gl, width, height);
+}
+
+void kept_free(struct kept *kept, const struct gl *gl)
+{
+    for (int i = 0; i < 2; i++)
+        if (kept->target[i].framebuffer != 0)
+            target_close(&kept->target[i], gl);
+    free(kept->key);
+    *kept = (struct kept){0};
+}

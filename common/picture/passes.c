@@ -1,0 +1,150 @@
+#include "picture/passes.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "memory.h"
+#include "report.h"
+
+#define FILE_YEAR 1970.0f
+#define MANY      100 // frames after which progress is reported
+
+static bool keeps(const struct renderer *renderer)
+{
+    return samplers_keep(&renderer->parameters.samplers);
+}
+
+bool passes_keep(const struct renderer *renderer)
+{
+    return keeps(renderer) || (renderer->comparison != NULL && keeps(renderer->comparison->other));
+}
+
+struct renderer_inputs passes_inputs(const struct renderer_inputs *inputs, int frame)
+{
+    struct renderer_inputs at = *inputs;
+    at.frame = frame;
+    at.time = at.begin + (at.rate > 0.0 ? frame / at.rate : 0.0);
+    at.time_delta = frame > 0 && at.rate > 0.0 ? 1.0 / at.rate : 0.0;
+    if (at.date[0] == FILE_YEAR)
+        at.date[3] = (float)at.time;
+    return at;
+}
+
+// ---- The key ----
+
+// Write the values that a linked view reads, apart from those that change with every frame or with
+// the pointer. The linker keeps only the uniforms that are used.
+static void write_values(FILE *key, const struct renderer *renderer,
+                         const struct renderer_inputs *inputs, enum shader_view view)
+{
+    const struct shader_source *source = &renderer->fragment;
+    const GLint *at = renderer->location[view];
+    bool sees = false;
+    if (at == NULL)
+        return;
+    at += RENDERER_UNIFORM_COUNT;
+    for (int i = 0; i < source->input_count; i++) {
+        enum input_meaning meaning = source->inputs[i].input->meaning;
+        sees |= *at++ >= 0 && meaning >= INPUT_EYE && meaning <= INPUT_ORTHO;
+    }
+    for (int i = 0; i < renderer->parameters.count; i++) {
+        const struct parameter *p = &renderer->parameters.item[i];
+        for (int k = 0; *at >= 0 && k < p->components; k++)
+            fprintf(key, " %a", p->value[k]);
+        at++;
+    }
+    const struct camera *camera = &inputs->camera;
+    const float *eye = camera->position;
+    if (sees)
+        fprintf(key, " %a %a %a %a %a %a %a", (double)eye[0], (double)eye[1], (double)eye[2],
+                (double)camera->pan, (double)camera->tilt, (double)renderer->focal_length,
+                renderer->orthographic);
+}
+
+// Everything that the kept frames depend on. A new shader or texture needs no word here, because it
+// comes with a struct kept of its own. The caller frees the text.
+static char *key_of(const struct renderer *renderer, const struct renderer_inputs *inputs)
+{
+    char *text;
+    FILE *key = memory_open(&text);
+    const struct strokes *strokes = inputs->strokes;
+    fprintf(key, "%d %d %a %a", inputs->width, inputs->height, inputs->begin, inputs->rate);
+    write_values(key, renderer, inputs, VIEW_KEPT);
+    write_values(key, renderer, inputs, VIEW_COARSE);
+    if (renderer->sculpture.tool != NULL && strokes != NULL) {
+        fprintf(key, " %d", strokes->taken_back);
+        for (int i = 0; i < strokes->count; i++)
+            fprintf(key, " %d", strokes->item[i].points);
+    }
+    memory_close(key);
+    return text;
+}
+
+int passes_drawn(const struct renderer *renderer, const struct renderer_inputs *inputs)
+{
+    const struct kept *kept = &renderer->kept;
+    int drawn = inputs->frame + 1;
+    if (keeps(renderer)) {
+        char *key = key_of(renderer, inputs);
+        bool same = kept->key != NULL && strcmp(kept->key, key) == 0 && kept->frames <= drawn;
+        drawn = same ? kept->frames : 0;
+        free(key);
+    }
+    int other =
+        renderer->comparison != NULL ? passes_drawn(renderer->comparison->other, inputs) : drawn;
+    return other < drawn ? other : drawn;
+}
+
+// ---- Frames ----
+
+// Let the shader's samplers read a frame.
+static void show(struct renderer *renderer, int frame)
+{
+    const struct target *target = kept_frame(&renderer->kept, frame);
+    for (int i = 0; i < renderer->textures.count; i++)
+        if (renderer->parameters.samplers.item[i].pass > 0)
+            texture_borrow(&renderer->textures.item[i], target);
+}
+
+// Draw what the next frame keeps.
+static bool draw_next(struct renderer *renderer, const struct renderer_inputs *inputs)
+{
+    const int low[2] = {0, 0}, high[2] = {inputs->width, inputs->height};
+    struct kept *kept = &renderer->kept;
+    show(renderer, kept->frames - 1);
+    if (!renderer_sculpt(renderer, inputs) ||
+        !renderer_run_coarse(renderer, inputs, VIEW_KEPT, low, high) ||
+        !kept_bind(kept, renderer->gl, inputs->width, inputs->height))
+        return false;
+    renderer_use(renderer, inputs, VIEW_KEPT);
+    renderer->gl->Viewport(0, 0, inputs->width, inputs->height);
+    renderer_tiles(renderer, low, high, 0, 0, kept->frames);
+    show(renderer, kept->frames++);
+    return true;
+}
+
+static bool follow(struct renderer *renderer, const struct renderer_inputs *inputs)
+{
+    struct kept *kept = &renderer->kept;
+    if (!renderer_link(renderer, VIEW_KEPT))
+        return false;
+    kept_follow(kept, key_of(renderer, inputs), inputs->frame);
+    int first = kept->frames, count = inputs->frame + 1 - first;
+    while (kept->frames <= inputs->frame) {
+        const struct renderer_inputs next = passes_inputs(inputs, kept->frames);
+        if (count > MANY)
+            report_progress(kept->frames - first, count, "kept frames");
+        if (!draw_next(renderer, &next))
+            return false;
+    }
+    if (count > MANY)
+        report_progress(count, count, "kept frames");
+    return true;
+}
+
+bool passes_follow(struct renderer *renderer, const struct renderer_inputs *inputs)
+{
+    return (!keeps(renderer) || follow(renderer, inputs)) &&
+           (renderer->comparison == NULL || passes_follow(renderer->comparison->other, inputs));
+}

@@ -1,0 +1,58 @@
+#include "window/frames.h"
+
+#include "picture/passes.h"
+
+#define MEASURED 3 // frames from which the resolution is chosen
+
+bool window_keeps(const struct window *window)
+{
+    return passes_keep(window->renderer);
+}
+
+struct renderer_inputs window_inputs_at(const struct window *window, int level)
+{
+    struct renderer_inputs inputs = window->inputs;
+    double divisor = resolution_divisor(level);
+    inputs.width = resolution_side(level, inputs.width);
+    inputs.height = resolution_side(level, inputs.height);
+    for (int i = 0; i < 2 && inputs.pixel[0] >= 0; i++)
+        inputs.pixel[i] = (int)(inputs.pixel[i] / divisor);
+    for (int i = 0; i < 4; i++)
+        inputs.mouse[i] /= (float)divisor;
+    inputs.digits /= (float)divisor;
+    return inputs;
+}
+
+struct renderer_inputs window_inputs_shown(const struct window *window)
+{
+    return window_inputs_at(window, window_keeps(window) ? window->pace.resolution.level : 0);
+}
+
+bool window_next_frame(struct window *window)
+{
+    struct renderer_inputs *inputs = &window->inputs;
+    const struct renderer_inputs shown = window_inputs_shown(window);
+    bool last = inputs->frame == window->start->frame;
+    if (last || passes_drawn(window->renderer, &shown) <= inputs->frame)
+        return !last;
+    inputs->frame++;
+    return true;
+}
+
+void window_follow_frames(struct window *window, int level)
+{
+    window->inputs.rate = 0.0;
+    if (!window_keeps(window))
+        return;
+    double rate = window->start->rate;
+    window->inputs.rate = rate > 0.0 ? rate : PASSES_RATE;
+    const struct renderer_inputs drawn = window_inputs_at(window, level);
+    if (passes_drawn(window->renderer, &drawn) == 0)
+        window->inputs.frame = 0;
+    window->inputs = passes_inputs(&window->inputs, window->inputs.frame);
+}
+
+bool window_holds_size(const struct window *window)
+{
+    return window_keeps(window) && window->inputs.frame >= MEASURED;
+}

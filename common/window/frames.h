@@ -1,0 +1,32 @@
+// frames.h - the frames of a shader that reads what it has kept of the last one. Such a shader has
+// a fixed time from frame to frame, whatever the clock says, so that what the window shows is the
+// picture of a command line with --frame.
+#ifndef WINDOW_FRAMES_H
+#define WINDOW_FRAMES_H
+
+#include "window/state.h"
+
+// True if the window's shader keeps frames.
+bool window_keeps(const struct window *window);
+
+// The inputs of the window's picture at a resolution level.
+struct renderer_inputs window_inputs_at(const struct window *window, int level);
+
+// The inputs of the picture that is shown, if its march or its pixels are needed again: frames that
+// are kept have the size at which they were drawn, and any other picture has the window's size.
+struct renderer_inputs window_inputs_shown(const struct window *window);
+
+// Go on to the next frame, unless the present one has not been drawn yet, or is the last that was
+// asked for. Returns true if there is another frame to draw.
+bool window_next_frame(struct window *window);
+
+// If the shader keeps frames, set the time of the present one. If they begin again, because
+// something on which they depend has changed, this is frame 0.
+//   level  the resolution level at which the picture is drawn
+void window_follow_frames(struct window *window, int level);
+
+// True if frames are kept of which so many were drawn that the resolution must not change any more,
+// because they would begin again.
+bool window_holds_size(const struct window *window);
+
+#endif

@@ -1,0 +1,175 @@
+// last_frame.c - tests a shader that reads what it has kept of the last frame, in a window: each turn
+// of the loop draws the next frame, with a fixed time from frame to frame.
+#include "lib/gpu.h"
+#include "lib/scratch.h"
+#include "lib/session.h"
+#include "picture/passes.h"
+#include "window/state.h"
+
+#define CHAPTER "01_normal_colouring"
+
+static const char text[] =
+    "#include \"main.glsl\"\n#include \"random.glsl\"\n"
+    "uniform float gain; // 1 in [0, 4]: brightness\n"
+    "uniform float seed; // 3 in [0, 100]: other numbers\n"
+    "uniform sampler2D history; // the last frame\n"
+    "Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 4.0), vec3(0.0, 0.0, -1.0)); }\n"
+    "float sceneDistance(vec3 p) { return p.z; }\n"
+    "vec4 frameKept(vec2 pixel)\n"
+    "{\n"
+    "    float number = fract(pixelRandom(int(seed)) + iTime);\n"
+    "    return mix(texelFetch(history, iPixel, 0), vec4(number), 1.0 / float(iFrame + 1));\n"
+    "}\n"
+    "vec3 rayColour(Ray ray) { return gain * texelFetch(history, iPixel, 0).rgb; }\n";
+
+static int frame(void)
+{
+    return session_window()->inputs.frame;
+}
+
+// The number of frames that the window's renderer has kept.
+static int kept(void)
+{
+    return session_window()->renderer->kept.frames;
+}
+
+static void open(const char *options)
+{
+    scratch_write("mean.frag", text);
+    session_open_bare(CHAPTER, "--size 320x200 --shader %s %s", scratch_path("mean.frag"), options);
+}
+
+// Check that the window shows a frame of the command line, as does a screenshot.
+static void assert_frame(int number, const char *options)
+{
+    char line[1024];
+    assert_int_equal(frame(), number);
+    assert_int_equal(kept(), number + 1);
+    snprintf(line, sizeof line, "--size 320x200 --shader %s --frame %d %s",
+             scratch_path("mean.frag"), number, options);
+    session_assert_shown(CHAPTER, "%s", line);
+    session_assert_screenshot(CHAPTER, line);
+    session_said(1);
+    assert_int_equal(frame(), number);
+}
+
+// The clock of the test moves a sixtieth of a second in each turn; a slow machine changes nothing.
+SESSION_TEST(each_turn_draws_one_frame)
+{
+    open("");
+    int first = frame();
+    for (int i = 1; i < 6; i++) {
+        user.now += 0.25 * (i % 2);
+        session_turn();
+        assert_int_equal(frame(), first + i);
+    }
+    session_key(GLFW_KEY_ESCAPE);
+    assert_frame(first + 6, "");
+    session_close();
+    open("--time 2 --fps 10 --frame 30");
+    session_wait(0.1);
+    session_key(GLFW_KEY_ESCAPE);
+    assert_frame(frame(), "--time 2 --fps 10");
+    session_close();
+}
+
+SESSION_TEST(a_pause_keeps_the_frame)
+{
+    open("");
+    session_wait(0.2);
+    session_key(GLFW_KEY_ESCAPE);
+    int paused = frame();
+    session_wait(2.0);
+    assert_frame(paused, "");
+    session_key(GLFW_KEY_4);
+    session_key(GLFW_KEY_1);
+    session_click(100, 100);
+    session_click(100, 100);
+    session_said(1);
+    assert_frame(paused, "");
+    session_close();
+}
+
+// A change of what a frame reads begins again, and a change of what only the picture reads does
+// not.
+SESSION_TEST(a_change_begins_again)
+{
+    open("--set seed=3");
+    session_wait(0.3);
+    session_key(GLFW_KEY_RIGHT); // gain
+    int before = frame();
+    assert_true(before > 10);
+    session_key(GLFW_KEY_DOWN); // seed
+    session_key(GLFW_KEY_RIGHT);
+    session_turn();
+    assert_true(frame() < 4);
+    session_wait(0.2);
+    assert_true(frame() > 8);
+    session_key(GLFW_KEY_R);
+    session_turn();
+    assert_true(frame() < 4);
+    session_wait(0.2);
+    user_resize(300, 200);
+    session_turn();
+    assert_true(frame() < 4);
+    session_close();
+}
+
+SESSION_TEST(a_saved_shader_begins_again)
+{
+    open("");
+    session_wait(0.5);
+    assert_true(frame() > 20);
+    scratch_write("mean.frag", text);
+    session_wait(0.3);
+    session_said(1);
+    assert_true(frame() < 20);
+    session_key(GLFW_KEY_ESCAPE);
+    assert_frame(frame(), "");
+    session_close();
+}
+
+SESSION_TEST(a_window_stops_at_the_frame_that_was_asked_for)
+{
+    open("--frame 12");
+    session_wait(1.0);
+    int shown = user.frames;
+    assert_frame(12, "");
+    session_wait(1.0);
+    assert_true(user.frames - shown < 10);
+    session_key(GLFW_KEY_DOWN);
+    session_key(GLFW_KEY_RIGHT);
+    session_wait(0.05);
+    assert_true(frame() < 8);
+    session_wait(1.0);
+    assert_int_equal(frame(), 12);
+    session_close();
+}
+
+// A slow picture is drawn small. Its size is chosen in the first frames and then stays, because
+// frames of another size would begin again.
+SESSION_TEST(a_slow_picture_keeps_its_size)
+{
+    user.pixel_seconds = 0.15 / (320 * 200);
+    open("");
+    session_wait(3.0);
+    int level = session_window()->pace.resolution.level, before = frame();
+    assert_true(level > 0);
+    assert_true(before > 5);
+    user.pixel_seconds /= 8.0;
+    session_wait(1.0);
+    assert_int_equal(session_window()->pace.resolution.level, level);
+    assert_true(frame() > before);
+    session_key(GLFW_KEY_ESCAPE);
+    before = frame();
+    session_wait(2.0); // a picture at rest would be sharpened
+    assert_int_equal(frame(), before);
+    assert_int_equal(kept(), before + 1);
+    struct image image;
+    session_shoot(&image);
+    assert_true(image.width < 320);
+    image_free(&image);
+    session_close();
+}
+
+TESTS(NULL, NULL)
