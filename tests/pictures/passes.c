@@ -212,6 +212,8 @@ TEST(what_only_the_picture_reads_lets_the_frames_go_on)
 
 TEST(a_frame_that_sees_the_camera_begins_again_when_it_moves)
 {
+    static struct probe probe;
+    struct renderer_eye eye = {.camera = {.position = {1.0f, 2.0f, 3.0f}}, .lens = {1.0, 0.0}};
     const struct renderer_inputs inputs = film(16, 9, 3);
     assert_true(gpu_load_text(
         HISTORY "vec4 frameKept(vec2 pixel) { return vec4(iCameraPosition, 1.0); }\n" SHOWN));
@@ -223,6 +225,11 @@ TEST(a_frame_that_sees_the_camera_begins_again_when_it_moves)
     after.camera.tilt += 1.0f;
     assert_true(begins_again(&after));
     assert_false(begins_again(&inputs));
+    after = inputs; // a selected ray keeps its own eye when the camera moves
+    after.eye = &eye;
+    stamp(3, 7.0f);
+    assert_true(renderer_probe(&gpu.renderer, &after, 4, 4, &probe));
+    assert_true(is_stamped(3, 7.0f));
 }
 
 TEST(strokes_make_the_frames_begin_again)
@@ -281,6 +288,26 @@ TEST(a_frame_replaces_the_bits_of_an_earlier_one)
                               "}\n" SHOWN));
     draw(&inputs);
     assert_true(is_stamped(2, 5.0f));
+}
+
+// llvmpipe leaves out a blending that changes nothing; other drivers multiply the old value by 0.
+static int blends;
+
+static void count_blends(GLenum what)
+{
+    blends += what == GL_BLEND;
+}
+
+TEST(a_pass_is_drawn_without_blending)
+{
+    struct gl *gl = &gpu.context.gl, own = *gl;
+    const struct renderer_inputs inputs = film(8, 8, 5);
+    assert_true(gpu_load_text(mixed));
+    gl->Enable = count_blends;
+    blends = 0;
+    draw(&inputs);
+    *gl = own;
+    assert_int_equal(blends, 1); // for the picture alone
 }
 
 // Patterns of bits that are stored as floats come back: numbers, subnormal numbers and NaNs.

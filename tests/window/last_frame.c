@@ -1,5 +1,5 @@
-// last_frame.c - tests a shader that reads what it has kept of the last frame, in a window: each turn
-// of the loop draws the next frame, with a fixed time from frame to frame.
+// last_frame.c - tests a shader that reads what it has kept of the last frame, in a window: each
+// turn of the loop draws the next frame, with a fixed time from frame to frame.
 #include "lib/gpu.h"
 #include "lib/scratch.h"
 #include "lib/session.h"
@@ -9,7 +9,7 @@
 #define CHAPTER "01_normal_colouring"
 
 static const char text[] =
-    "#include \"main.glsl\"\n#include \"random.glsl\"\n"
+    "#include \"main.glsl\"\n#include \"march.glsl\"\n#include \"random.glsl\"\n"
     "uniform float gain; // 1 in [0, 4]: brightness\n"
     "uniform float seed; // 3 in [0, 100]: other numbers\n"
     "uniform sampler2D history; // the last frame\n"
@@ -20,7 +20,11 @@ static const char text[] =
     "    float number = fract(pixelRandom(int(seed)) + iTime);\n"
     "    return mix(texelFetch(history, iPixel, 0), vec4(number), 1.0 / float(iFrame + 1));\n"
     "}\n"
-    "vec3 rayColour(Ray ray) { return gain * texelFetch(history, iPixel, 0).rgb; }\n";
+    "vec3 rayColour(Ray ray)\n"
+    "{\n"
+    "    march(ray, 0.0, 9.0, 0.001, 64);\n"
+    "    return gain * texelFetch(history, iPixel, 0).rgb;\n"
+    "}\n";
 
 static int frame(void)
 {
@@ -165,10 +169,52 @@ SESSION_TEST(a_slow_picture_keeps_its_size)
     session_wait(2.0); // a picture at rest would be sharpened
     assert_int_equal(frame(), before);
     assert_int_equal(kept(), before + 1);
+    assert_int_equal(session_window()->sharpening.rows, 0);
+    session_click(100, 120);
+    session_said(1);
+    assert_true(session_window()->renderer->kept.target[0].width < 320);
+    float pixel = session_window()->ray.probe->step[0].pixel[0]; // where the overlay marks the step
+    assert_true(fabsf(pixel - 100.0f) < 4.0f);
+    session_click(100, 120);
     struct image image;
     session_shoot(&image);
     assert_true(image.width < 320);
     image_free(&image);
+    session_close();
+}
+
+// Kept frames have one sample for each pixel, so there is nothing to smooth.
+SESSION_TEST(a_kept_frame_is_not_smoothed)
+{
+    session_smooths = true;
+    open("");
+    session_wait(0.2);
+    session_key(GLFW_KEY_ESCAPE);
+    session_wait(2.0);
+    assert_int_equal(session_window()->sharpening.inputs.samples, 1);
+    assert_false(session_window()->sharpening.smooths);
+    session_close();
+    session_smooths = false;
+}
+
+// Scenes with the same shader pass their renderer on, and each begins with its frame 0.
+SESSION_TEST(each_scene_of_a_lecture_begins_again)
+{
+    char list[2048], path[512];
+    scratch_write("mean.frag", text);
+    snprintf(path, sizeof path, "%s", scratch_path("mean.frag"));
+    snprintf(list, sizeof list, "01 --shader %s --frame 40\n01 --shader %s --frame 9\n", path,
+             path);
+    session_open_lecture(scratch_write("list.txt", list));
+    session_wait(1.0);
+    assert_int_equal(frame(), 40);
+    session_key(GLFW_KEY_PAGE_DOWN);
+    session_wait(0.06);
+    assert_true(frame() < 8);
+    session_wait(1.0);
+    assert_int_equal(frame(), 9);
+    assert_int_equal(kept(), 10);
+    session_said(1);
     session_close();
 }
 
