@@ -67,6 +67,7 @@ enum { GL_NEEDED_MAJOR = 3, GL_NEEDED_MINOR = 3 };
     X(void, GenFramebuffers, (GLsizei, GLuint *)) \
     X(void, GenTextures, (GLsizei, GLuint *)) \
     X(void, GenVertexArrays, (GLsizei, GLuint *)) \
+    X(void, GenerateMipmap, (GLenum)) \
     X(GLenum, GetError, (void)) \
     X(void, GetIntegerv, (GLenum, GLint *)) \
     X(void, GetProgramInfoLog, (GLuint, GLsizei, GLsizei *, GLchar *)) \

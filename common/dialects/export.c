@@ -353,6 +353,12 @@ char *export_file(struct shader_source *source, const struct parameters *paramet
                source->files[0]);
         return NULL;
     }
+    if (source->pass_count > 0) {
+        report("%s: an export of several passes: leave out =shadertoy to print the code of its "
+               "picture",
+               source->files[0]);
+        return NULL;
+    }
     if (!page && course && parameters->samplers.count > 0) {
         const struct pictures pictures = {source, &parameters->samplers};
         text = memory_list(parameters->samplers.count, picture_of, &pictures);

@@ -11,12 +11,11 @@
 
 // toy_after follows the author's text. Macros of that text also apply to toy_after, so it uses
 // few words.
-static const char toy_front[] =
-    "out vec4 harnessColour;\n"
-    "vec4 harnessOwn = vec4(0.0);\n"
-    "vec2 harnessPixel;\n"
-    "void harnessBegin() { harnessPixel = harnessFragCoord.xy; }\n"
-    "void harnessEnd() { harnessColour = vec4(clamp(harnessOwn.rgb, 0.0, 1.0), 1.0); }\n";
+static const char toy_front[] = "out vec4 harnessColour;\n"
+                                "vec4 harnessOwn = vec4(0.0);\n"
+                                "vec2 harnessPixel;\n"
+                                "void harnessBegin() { harnessPixel = harnessFragCoord.xy; }\n"
+                                "void harnessEnd() { harnessColour = HARNESS_END; }\n";
 static const char toy_after[] =
     "#undef void\n#undef main\n#undef mainImage\n"
     "void main() { harnessBegin(); mainImage(harnessOwn, harnessPixel); harnessEnd(); }\n";
@@ -68,6 +67,10 @@ static char *driver_prelude(const struct translation *t, const char *inputs, con
     if (GL_IS_ES && glsl_mentions(t->code, "sampler1D") > 0)
         fputs(line_lookups, text);
     fputs(inputs, text);
+    if (t->toy)
+        fprintf(text, "#define HARNESS_END %s\n",
+                t->source->request.pass > 0 ? "harnessOwn"
+                                            : "vec4(clamp(harnessOwn.rgb, 0.0, 1.0), 1.0)");
     fputs(t->toy ? toy_front : t->old ? "out vec4 harnessColour;\n" : "", text);
     memory_close(text);
     return prelude;

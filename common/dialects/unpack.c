@@ -97,23 +97,104 @@ static char *shader_of(const char *c)
     return text;
 }
 
-// Take the text of a pass into part, the common one first, and what the image pass reads in each
-// channel.
-static void read_pass(struct shader_source *source, char *part[2], const char *pass)
+// True if two values are the same number or string.
+static bool is_same(const char *a, const char *b)
 {
-    char *type = string(member(pass, "type"));
-    bool image = strcmp(type, "image") == 0 && part[1] == NULL;
-    if (image || (strcmp(type, "common") == 0 && part[0] == NULL))
-        part[image] = shader_of(member(pass, "code"));
-    free(type);
-    const char *c = image ? first_value(member(pass, "inputs")) : NULL;
-    for (; c != NULL; c = next_value(c)) {
-        const char *number = member(c, "channel"), *kind = member(c, "ctype");
-        char *was = string(kind != NULL ? kind : member(c, "type"));
-        if (number != NULL && *number >= '0' && *number <= '3')
-            snprintf(source->was[*number - '0'], sizeof source->was[0], "%s", was);
-        free(was);
+    size_t length = a != NULL && b != NULL ? (size_t)(skip_value(a) - a) : 0;
+    return length > 0 && (size_t)(skip_value(b) - b) == length && strncmp(a, b, length) == 0;
+}
+
+static bool has_word(const char *object, const char *name, const char *word)
+{
+    char *text = string(member(object, name));
+    bool same = strcmp(text, word) == 0;
+    free(text);
+    return same;
+}
+
+// The passes of an export. Each pointer is NULL if there is no such pass.
+struct row {
+    const char *common, *image, *buffer[SHADER_PASSES];
+    const char *id[SHADER_PASSES]; // of the buffers' pictures
+    int count;                     // number of buffers, in the order in which they are drawn
+};
+
+static struct row read_row(const char *c)
+{
+    struct row row = {0};
+    for (c = first_value(c); c != NULL; c = next_value(c)) {
+        if (row.common == NULL && has_word(c, "type", "common"))
+            row.common = c;
+        else if (row.image == NULL && has_word(c, "type", "image"))
+            row.image = c;
+        else if (row.count < SHADER_PASSES && has_word(c, "type", "buffer")) {
+            row.id[row.count] = member(first_value(member(c, "outputs")), "id");
+            row.buffer[row.count++] = c;
+        }
     }
+    return row;
+}
+
+// The number of the buffer that an input reads, from 1; 0 if it reads none.
+static int buffer_of(const struct row *row, const char *input)
+{
+    const char *id = member(input, "id");
+    for (int i = 0; i < row->count; i++)
+        if (is_same(row->id[i], id))
+            return i + 1;
+    return 0;
+}
+
+// Find what a pass reads in each channel. If two channels read one buffer, Shadertoy uses the
+// filter of the second for both.
+static void read_inputs(struct shader_source *source, const struct row *row, const char *pass)
+{
+    int *reads = source->links.reads;
+    char *filter = source->links.filter;
+    for (const char *c = first_value(member(pass, "inputs")); c != NULL; c = next_value(c)) {
+        const char *number = member(c, "channel"), *kind = member(c, "ctype");
+        if (number == NULL || *number < '0' || *number > '3')
+            continue;
+        int channel = *number - '0';
+        char *was = string(kind != NULL ? kind : member(c, "type"));
+        char *how = string(member(member(c, "sampler"), "filter"));
+        snprintf(source->was[channel], sizeof source->was[0], "%s", was);
+        reads[channel] = strcmp(was, "buffer") == 0 ? buffer_of(row, c) : 0;
+        filter[channel] = how[0];
+        free(was);
+        free(how);
+    }
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < k; i++)
+            filter[i] = reads[i] == reads[k] ? filter[k] : filter[i];
+}
+
+// Find how a buffer is read: its edge is as the last input that names it asks.
+static void read_readers(struct shader_pass *links, const struct row *row, const char *passes,
+                         int number)
+{
+    for (const char *pass = first_value(passes); pass != NULL; pass = next_value(pass))
+        for (const char *c = first_value(member(pass, "inputs")); c != NULL; c = next_value(c))
+            if (buffer_of(row, c) == number) {
+                links->repeat = has_word(member(c, "sampler"), "wrap", "repeat");
+                links->mip_levels |= has_word(member(c, "sampler"), "filter", "mipmap");
+            }
+}
+
+// Take the texts of the common pass and of the one that is asked for.
+static void unpack_row(struct shader_source *source, const char *passes, char *part[2])
+{
+    const struct row row = read_row(passes);
+    int asked = source->request.pass;
+    const char *pass = asked == 0 ? row.image : asked > row.count ? NULL : row.buffer[asked - 1];
+    source->pass_count = row.count;
+    if (row.common != NULL)
+        part[0] = shader_of(member(row.common, "code"));
+    if (pass == NULL)
+        return;
+    part[1] = shader_of(member(pass, "code"));
+    read_inputs(source, &row, pass);
+    read_readers(&source->links, &row, passes, asked);
 }
 
 static bool unpack_json(struct shader_source *source, const char *root, char *part[2])
@@ -121,8 +202,7 @@ static bool unpack_json(struct shader_source *source, const char *root, char *pa
     root = *root == '[' ? first_value(root) : root;
     const char *shader = member(root, "Shader"), *code = member(root, "code");
     const char *row = member(shader != NULL ? shader : root, "renderpass");
-    for (const char *pass = first_value(row); pass != NULL; pass = next_value(pass))
-        read_pass(source, part, pass);
+    unpack_row(source, row, part);
     if (row == NULL && code != NULL) // an item of GLSL Sandbox
         part[1] = shader_of(code);
     if (part[0] == NULL)

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const struct target *kept_frame(const struct kept *kept, int frame)
+struct target *kept_frame(struct kept *kept, int frame)
 {
     return &kept->target[frame & 1];
 }
@@ -17,8 +17,7 @@ void kept_follow(struct kept *kept, char *key, int frame)
         kept->frames = 0;
 }
 
-// Bind both targets one after the other, and set them to 0.
-static bool begin(struct kept *kept, const struct gl *gl, int width, int height)
+bool kept_begin(struct kept *kept, const struct gl *gl, int width, int height)
 {
     GLenum format = kept->target[0].framebuffer == 0 ? target_format(gl, false) : 0;
     for (int i = 0; i < 2; i++) {
@@ -26,17 +25,10 @@ static bool begin(struct kept *kept, const struct gl *gl, int width, int height)
             target_open(&kept->target[i], gl, format);
         if (!target_bind(&kept->target[i], gl, width, height))
             return false;
-        target_filter(&kept->target[i], gl);
         gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
         gl->Clear(GL_COLOR_BUFFER_BIT);
     }
     return true;
-}
-
-bool kept_bind(struct kept *kept, const struct gl *gl, int width, int height)
-{
-    return (kept->frames > 0 || begin(kept, gl, width, height)) &&
-           target_bind(&kept->target[kept->frames & 1], gl, width, height);
 }
 
 void kept_free(struct kept *kept, const struct gl *gl)

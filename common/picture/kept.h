@@ -16,7 +16,7 @@ struct kept {
 };
 
 // The target that contains a frame, the last or the one before. The frame -1 is 0 everywhere.
-const struct target *kept_frame(const struct kept *kept, int frame);
+struct target *kept_frame(struct kept *kept, int frame);
 
 // Begin again with frame 0 if the key has changed, or if a frame is asked for that was followed by
 // others.
@@ -24,11 +24,11 @@ const struct target *kept_frame(const struct kept *kept, int frame);
 //   frame  the frame that is needed
 void kept_follow(struct kept *kept, char *key, int frame);
 
-// Bind the target of the next frame. At frame 0, both targets are set to 0; later, the target still
-// contains the frame before the last, because a shader may discard its pixel, and in Shadertoy the
-// pixel then has this value.
+// Set both targets to 0, before frame 0. Later, no target is cleared: while a frame is drawn, its
+// target still contains the frame before the last. A shader may discard its pixel, and in Shadertoy
+// the pixel then has this value.
 // Returns false after reporting the error if the driver cannot create the targets.
-bool kept_bind(struct kept *kept, const struct gl *gl, int width, int height);
+bool kept_begin(struct kept *kept, const struct gl *gl, int width, int height);
 
 // Free the pictures.
 void kept_free(struct kept *kept, const struct gl *gl);

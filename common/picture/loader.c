@@ -78,8 +78,10 @@ void loader_begin(const struct loader *loader)
     shader_begin(renderer->gl, &renderer->vertex, &loader->source, renderer->view);
     if (glsl_mentions(&loader->source.code, "coarseStart") > 0)
         shader_begin(renderer->gl, &renderer->vertex, &loader->source, VIEW_COARSE);
-    if (samplers_keep(&loader->parameters.samplers))
+    if (loader->source.dialect == DIALECT_COURSE && samplers_keep(&loader->parameters.samplers))
         shader_begin(renderer->gl, &renderer->vertex, &loader->source, VIEW_KEPT);
+    for (int i = 0; i < loader->source.pass_count; i++)
+        shader_begin(renderer->gl, &renderer->vertex, &loader->source.pass[i], VIEW_PICTURE);
 }
 
 bool loader_compile(struct loader *loader)
@@ -92,7 +94,7 @@ bool loader_link(struct loader *loader, enum shader_view view)
     struct renderer *renderer = &loader->renderer;
     const char *has = renderer->fragment.text;
     renderer_drop(&loader->next);
-    if (has != NULL && strcmp(has, loader->source.text) == 0)
+    if (has != NULL && strcmp(has, loader->source.text) == 0 && loader->source.pass_count == 0)
         return renderer_link(renderer, view);
     return renderer_prepare(renderer, &loader->next, view, &loader->source, &loader->parameters);
 }

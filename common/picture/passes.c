@@ -20,6 +20,23 @@ bool passes_keep(const struct renderer *renderer)
     return keeps(renderer) || (renderer->comparison != NULL && keeps(renderer->comparison->other));
 }
 
+// The number of passes, and one of them, from 0: those of a file with several, or the course
+// shader's own.
+static int count_of(const struct renderer *renderer)
+{
+    return renderer->pass_count > 0 ? renderer->pass_count : 1;
+}
+
+static struct renderer *pass_of(struct renderer *renderer, int number)
+{
+    return renderer->pass_count > 0 ? &renderer->pass[number] : renderer;
+}
+
+static enum shader_view view_of(const struct renderer *renderer)
+{
+    return renderer->pass_count > 0 ? VIEW_PICTURE : VIEW_KEPT;
+}
+
 struct renderer_inputs passes_inputs(const struct renderer_inputs *inputs, int frame)
 {
     struct renderer_inputs at = *inputs;
@@ -70,6 +87,8 @@ static char *key_of(const struct renderer *renderer, const struct renderer_input
     FILE *key = memory_open(&text);
     const struct strokes *strokes = inputs->strokes;
     fprintf(key, "%d %d %a %a", inputs->width, inputs->height, inputs->begin, inputs->rate);
+    for (int i = 0; i < renderer->pass_count; i++)
+        write_values(key, &renderer->pass[i], inputs, VIEW_PICTURE);
     write_values(key, renderer, inputs, VIEW_KEPT);
     write_values(key, renderer, inputs, VIEW_COARSE);
     if (renderer->sculpture.tool != NULL && strokes != NULL) {
@@ -98,48 +117,78 @@ int passes_drawn(const struct renderer *renderer, const struct renderer_inputs *
 
 // ---- Frames ----
 
-// Let the shader's samplers read a frame.
-static void show(struct renderer *renderer, int frame)
+// Let a reader's samplers read what the passes have kept: the passes that have been drawn in a
+// frame give this frame, and the others give the one before.
+static void show(struct renderer *reader, struct renderer *renderer, int drawn, int frame)
 {
-    const struct target *target = kept_frame(&renderer->kept, frame);
-    for (int i = 0; i < renderer->textures.count; i++)
-        if (renderer->parameters.samplers.item[i].pass > 0)
-            texture_borrow(&renderer->textures.item[i], target);
+    for (int i = 0; i < reader->textures.count; i++) {
+        const struct sampler *sampler = &reader->parameters.samplers.item[i];
+        if (sampler->pass == 0)
+            continue;
+        struct renderer *pass = pass_of(renderer, sampler->pass - 1);
+        const struct target *target =
+            kept_frame(&pass->kept, sampler->pass > drawn ? frame - 1 : frame);
+        target_filter(target, renderer->gl, sampler->filter, pass->fragment.links.repeat);
+        texture_borrow(&reader->textures.item[i], target);
+    }
 }
 
-// Draw what the next frame keeps.
-static bool draw_next(struct renderer *renderer, const struct renderer_inputs *inputs)
+static void make_levels(const struct renderer *pass, const struct target *target)
+{
+    pass->gl->BindTexture(GL_TEXTURE_2D, target->texture);
+    if (pass->fragment.links.mip_levels)
+        pass->gl->GenerateMipmap(GL_TEXTURE_2D);
+}
+
+// Draw what the next frame keeps in one pass.
+static bool draw_pass(struct renderer *renderer, int number, const struct renderer_inputs *inputs)
 {
     const int low[2] = {0, 0}, high[2] = {inputs->width, inputs->height};
-    struct kept *kept = &renderer->kept;
-    show(renderer, kept->frames - 1);
-    if (!renderer_sculpt(renderer, inputs) ||
-        !renderer_run_coarse(renderer, inputs, VIEW_KEPT, low, high) ||
-        !kept_bind(kept, renderer->gl, inputs->width, inputs->height))
+    struct renderer *pass = pass_of(renderer, number);
+    struct target *target = kept_frame(&pass->kept, inputs->frame);
+    enum shader_view view = view_of(renderer);
+    show(pass, renderer, number, inputs->frame);
+    if (!renderer_sculpt(pass, inputs) || !renderer_run_coarse(pass, inputs, view, low, high) ||
+        !target_bind(target, pass->gl, inputs->width, inputs->height))
         return false;
-    renderer_use(renderer, inputs, VIEW_KEPT);
-    renderer->gl->Viewport(0, 0, inputs->width, inputs->height);
-    renderer_tiles(renderer, low, high, 0, 0, kept->frames);
-    show(renderer, kept->frames++);
+    renderer_use(pass, inputs, view);
+    pass->gl->Viewport(0, 0, inputs->width, inputs->height);
+    renderer_tiles(pass, low, high, 0, 0, inputs->frame);
+    make_levels(pass, target);
+    return true;
+}
+
+// Begin with empty frames.
+static bool begin(struct renderer *renderer, const struct renderer_inputs *inputs)
+{
+    for (int i = 0; i < count_of(renderer); i++) {
+        struct renderer *pass = pass_of(renderer, i);
+        if (!kept_begin(&pass->kept, pass->gl, inputs->width, inputs->height))
+            return false;
+        for (int k = 0; k < 2; k++)
+            make_levels(pass, &pass->kept.target[k]);
+    }
     return true;
 }
 
 static bool follow(struct renderer *renderer, const struct renderer_inputs *inputs)
 {
     struct kept *kept = &renderer->kept;
-    if (!renderer_link(renderer, VIEW_KEPT))
-        return false;
     kept_follow(kept, key_of(renderer, inputs), inputs->frame);
     int first = kept->frames, count = inputs->frame + 1 - first;
-    while (kept->frames <= inputs->frame) {
+    if (first == 0 && !begin(renderer, inputs))
+        return false;
+    for (; kept->frames <= inputs->frame; kept->frames++) {
         const struct renderer_inputs next = passes_inputs(inputs, kept->frames);
         if (count > MANY)
             report_progress(kept->frames - first, count, "kept frames");
-        if (!draw_next(renderer, &next))
-            return false;
+        for (int i = 0; i < count_of(renderer); i++)
+            if (!draw_pass(renderer, i, &next))
+                return false;
     }
     if (count > MANY)
         report_progress(count, count, "kept frames");
+    show(renderer, renderer, count_of(renderer), inputs->frame);
     return true;
 }
 

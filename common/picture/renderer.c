@@ -49,6 +49,11 @@ static void unload(struct renderer *renderer)
     textures_free(&renderer->textures, renderer->gl);
     sculpture_forget(&renderer->sculpture);
     kept_free(&renderer->kept, renderer->gl);
+    for (int i = 0; i < renderer->pass_count; i++)
+        unload(&renderer->pass[i]);
+    free(renderer->pass);
+    renderer->pass = NULL;
+    renderer->pass_count = 0;
     shader_free(&renderer->fragment);
     parameters_free(&renderer->parameters);
 }
@@ -66,6 +71,35 @@ void renderer_close(struct renderer *renderer)
     *renderer = (struct renderer){0};
 }
 
+// Load the passes of a file that has several. A pass uses the vertex shader and the triangle of its
+// renderer. Returns false after reporting the error; then those that are loaded must be freed.
+static bool load_passes(struct renderer *next)
+{
+    struct shader_source *source = &next->fragment;
+    bool done = true;
+    next->pass = memory_zeros((size_t)source->pass_count + 1, sizeof *next->pass);
+    next->pass_count = 0;
+    while (done && next->pass_count < source->pass_count) {
+        struct renderer *pass = &next->pass[next->pass_count];
+        *pass = (struct renderer){.gl = next->gl,
+                                  .root = next->root,
+                                  .vertex = next->vertex,
+                                  .vertex_array = next->vertex_array,
+                                  .focal_length = next->focal_length};
+        pass->fragment = source->pass[next->pass_count];
+        source->pass[next->pass_count++] = (struct shader_source){0};
+        if (source->unset != NULL) // one warning is enough
+            pass->fragment.unset = memory_text("%s", source->unset);
+        done =
+            parameters_read(&pass->parameters, &pass->fragment) &&
+            textures_load(&pass->textures, pass->gl, &pass->parameters.samplers, &pass->fragment) &&
+            renderer_link(pass, VIEW_PICTURE);
+        if (source->unset == NULL && pass->fragment.unset != NULL)
+            source->unset = memory_text("%s", pass->fragment.unset);
+    }
+    return done;
+}
+
 bool renderer_prepare(const struct renderer *renderer, struct renderer *next, enum shader_view view,
                       struct shader_source *source, struct parameters *parameters)
 {
@@ -81,10 +115,11 @@ bool renderer_prepare(const struct renderer *renderer, struct renderer *next, en
     next->view = view;
     memset(next->program, 0, sizeof next->program);
     memset(next->location, 0, sizeof next->location);
-    if (!renderer_link(next, view)) {
-        renderer_unlink(next);
-        textures_free(&next->textures, next->gl);
+    if (!load_passes(next) || !renderer_link(next, view)) {
         *source = next->fragment;
+        next->fragment = (struct shader_source){0};
+        next->parameters = (struct parameters){0};
+        unload(next);
         *next = (struct renderer){0};
         return false;
     }

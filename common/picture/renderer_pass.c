@@ -46,7 +46,8 @@ bool renderer_link(struct renderer *renderer, enum shader_view view)
             return false;
         renderer->location[view] = locate(renderer, *program);
     }
-    bool keeps = view != VIEW_KEPT && samplers_keep(&renderer->parameters.samplers);
+    bool keeps = view != VIEW_KEPT && renderer->fragment.dialect == DIALECT_COURSE &&
+                 samplers_keep(&renderer->parameters.samplers);
     return (!keeps || renderer_link(renderer, VIEW_KEPT)) &&
            (!shader_shows_ray(view) || renderer_link(renderer, VIEW_PROBE)) &&
            (!renderer_reads(renderer, view, UNIFORM_iCoarse) ||

@@ -109,7 +109,9 @@ struct renderer {
     struct textures textures;      // the textures of its samplers
     struct sculpture sculpture;    // the volume in one of these textures, if the chapter has a tool
     struct kept kept;              // what its frames have kept, if it has a sampler that reads this
-    struct axis_labels labels;     // the numbers and words that its views write
+    struct renderer *pass;         // draw the passes of a file with several, in their order; owned
+    int pass_count;
+    struct axis_labels labels; // the numbers and words that its views write
     enum shader_view view;
     float focal_length;                   // for shaders that do not declare focalLength
     double orthographic;                  // the input OrthoView: 0 perspective, 1 orthographic

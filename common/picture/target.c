@@ -103,16 +103,18 @@ GLenum target_format(const struct gl *gl, bool blends)
     return sum[0] == (blends ? 0.5f : 0.25f) ? GL_RGBA32F : GL_RGBA16F;
 }
 
-void target_filter(const struct target *target, const struct gl *gl)
+void target_filter(const struct target *target, const struct gl *gl, char filter, bool repeat)
 {
     bool can = !GL_IS_ES || target->format != GL_RGBA32F ||
                strstr((const char *)gl->GetString(GL_EXTENSIONS), "texture_float_linear") != NULL;
+    GLint plain = can && filter != 'n' ? GL_LINEAR : GL_NEAREST;
+    GLint edge = repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     gl->BindTexture(GL_TEXTURE_2D, target->texture);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, can ? GL_LINEAR : GL_NEAREST);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, can ? GL_LINEAR : GL_NEAREST);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl->BindTexture(GL_TEXTURE_2D, 0);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                      can && filter == 'm' ? GL_LINEAR_MIPMAP_LINEAR : plain);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, plain);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, edge);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, edge);
 }
 
 void target_open(struct target *target, const struct gl *gl, GLenum format)

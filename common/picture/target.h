@@ -30,9 +30,11 @@ extern const char target_vertex[];
 //   blends  the targets are drawn into with blending
 GLenum target_format(const struct gl *gl, bool blends);
 
-// Let a target's texture be read with linear filtering, if the driver can filter its format, and
-// continue its edge. Without this call, the nearest texel is read.
-void target_filter(const struct target *target, const struct gl *gl);
+// Choose how a target's texture is read; without this call, the nearest texel is read.
+//   filter  'n' the nearest texel, 'm' from mip levels, otherwise linear, if the driver can filter
+//           the target's format
+//   repeat  the picture repeats; otherwise, its edge is continued
+void target_filter(const struct target *target, const struct gl *gl, char filter, bool repeat);
 
 // Open a target without pixels, and close it.
 //   format  GL_RGBA32F, GL_RGBA16F or GL_RGBA8

@@ -112,9 +112,16 @@ const char *sampler_given(const struct shader_source *source, const struct shade
     return has ? channels[sampler->channel] : other;
 }
 
+// The number of the pass that a sampler reads; 0 if it reads none.
+static int pass_of(const struct shader_source *source, const struct shader_sampler *sampler)
+{
+    bool channel = sampler->channel >= 0 && sampler_given(source, sampler) == NULL;
+    return channel ? source->links.reads[sampler->channel] : 0;
+}
+
 bool sampler_has_picture(const struct shader_source *source, const struct shader_sampler *sampler)
 {
-    return sampler_given(source, sampler) != NULL ||
+    return sampler_given(source, sampler) != NULL || pass_of(source, sampler) > 0 ||
            (sampler->channel >= 0 && source->channel[sampler->channel] > 0);
 }
 
@@ -192,15 +199,18 @@ static bool add_others(struct samplers *samplers, struct shader_source *source)
                                   .channel = from->channel,
                                   .repeat = true,
                                   .slices = strcmp(from->type, "sampler3D") == 0,
-                                  .cube = strcmp(from->type, "samplerCube") == 0};
+                                  .cube = strcmp(from->type, "samplerCube") == 0,
+                                  .pass = pass_of(source, from)};
+        if (sampler.pass > 0)
+            sampler.filter = source->links.filter[from->channel];
         snprintf(sampler.name, sizeof sampler.name, "%s", from->name);
         bool has = sampler_has_picture(source, from);
-        if (has)
+        if (has && sampler.pass == 0)
             sampler.file = given != NULL ? shader_take_texture(source, given, why)
                                          : source->channel[from->channel];
-        else if (!sampler.cube && sampler.slices == 0)
+        else if (!has && !sampler.cube && sampler.slices == 0)
             continue; // black without a texture unit of its own
-        if (has && sampler.file < 0)
+        if (has && sampler.pass == 0 && sampler.file < 0)
             return shader_refuse(source, from->line, "sampler %s: %s: %s", from->name, given, why);
         add_sampler(samplers, &sampler);
     }

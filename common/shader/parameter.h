@@ -68,6 +68,7 @@ struct sampler {
     // The number of the pass whose last picture it reads, from 1; 0 if it reads a file. A course
     // shader has one pass, what it keeps itself.
     int pass;
+    char filter; // of this picture, as in struct shader_pass; 0 for linear
     char meaning[200];
 };
 

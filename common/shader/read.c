@@ -113,10 +113,24 @@ static bool take_dialect(struct shader_source *source)
     return true;
 }
 
+// Read the other passes of a file, each as if it were the file's picture.
+static bool read_passes(struct shader_source *source, const char *path, const char *root)
+{
+    struct shader_request request = source->request;
+    int count = request.pass == 0 ? source->pass_count : 0;
+    source->pass_count = count;
+    source->pass = memory_zeros((size_t)count + 1, sizeof *source->pass);
+    for (request.pass = 1; request.pass <= count; request.pass++)
+        if (!shader_read_asked(&source->pass[request.pass - 1], path, root, &request))
+            return false;
+    return true;
+}
+
 bool shader_read_asked(struct shader_source *source, const char *path, const char *root,
                        const struct shader_request *request)
 {
-    if (shader_expand(source, path, root, request) && take_dialect(source))
+    if (shader_expand(source, path, root, request) && take_dialect(source) &&
+        read_passes(source, path, root))
         return true;
     shader_free(source);
     return false;

@@ -43,6 +43,9 @@ void shader_free(struct shader_source *source)
     free(source->root);
     free(source->own);
     free(source->include);
+    for (int i = 0; i < source->pass_count && source->pass != NULL; i++)
+        shader_free(&source->pass[i]);
+    free(source->pass);
     glsl_free(&source->code);
     *source = (struct shader_source){0};
 }

@@ -35,6 +35,17 @@ struct shader_request {
     // Four files for Shadertoy's iChannel0 to 3, each NULL if it is not given; NULL if none is
     // given.
     const char *const *channels;
+    int pass; // the number of the pass that is read, from 1; 0 for the picture
+};
+
+enum { SHADER_PASSES = 8 }; // the maximum number of passes before the picture
+
+// How one of several passes is connected with the others.
+struct shader_pass {
+    int reads[4];    // for each channel, the number of the pass that it reads, from 1; 0 for none
+    char filter[4];  // for each of these: 'n' the nearest texel, 'l' linear, 'm' from mip levels
+    bool repeat;     // the pass's own picture repeats beyond its edge
+    bool mip_levels; // and is read with mip levels
 };
 
 // A sampler of a file in another tool's dialect. It reads the picture of --texture NAME=FILE or
@@ -61,9 +72,12 @@ struct shader_source {
     int sampler_count;
     char *unset;     // the first warning that nothing sets a uniform or a block; NULL if none
     char was[4][24]; // what each channel contains in the author's tool, in Shadertoy's words
-    int channel[4];  // indices of the files that the text names for its channels; 0 for no file
-    char **files;    // the names to print, with '?' for control characters; files[0] is the shader
-    char **paths;    // the resolved paths of these files, to watch for changes
+    struct shader_pass links;   // with other passes of the file
+    struct shader_source *pass; // the passes that are drawn before this one, in order; owned
+    int pass_count;
+    int channel[4]; // indices of the files that the text names for its channels; 0 for no file
+    char **files;   // the names to print, with '?' for control characters; files[0] is the shader
+    char **paths;   // the resolved paths of these files, to watch for changes
     int file_count;
     char *root, *own,
         *include; // the project's folder, the first file's and the request's, resolved

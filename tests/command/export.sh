@@ -137,6 +137,12 @@ keeps() {
 }
 check 'the export of a shader that reads the last frame is refused' keeps
 
+buffers() {
+    ! prints "$BUILD/01_normal_colouring" -f tests/shaders/buffers/AB.json && [ ! -s "$scratch/toy.frag" ] &&
+        grep -q 'AB.json: an export of several passes' "$scratch/err"
+}
+check 'the export of several passes is refused' buffers
+
 channel=(--channel "0=shaders/textures/granite.png")
 same_channel() {
     "$BUILD/01_normal_colouring" -f "$scratch/channel.frag" "${channel[@]}" "${small[@]}" -o "$scratch/own.png" &&

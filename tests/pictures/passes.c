@@ -32,7 +32,7 @@ static struct renderer_inputs film(int width, int height, int frame)
 }
 
 // Read what a frame has kept; the caller frees the numbers.
-static float *kept_numbers(const struct renderer *renderer, int frame)
+static float *kept_numbers(struct renderer *renderer, int frame)
 {
     const struct target *target = kept_frame(&renderer->kept, frame);
     float *value = malloc(4 * sizeof *value * (size_t)target->width * (size_t)target->height);
