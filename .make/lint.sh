@@ -73,7 +73,8 @@ check_glsl() {
                         out = name "." view (dialect ? ".es" : ".330") ".frag"
                         if (dialect)
                             print "#version 300 es\nprecision highp float;\nprecision highp int;\n" \
-                                "precision highp sampler2D;\nprecision highp sampler3D;" >out
+                                "precision highp sampler2D;\nprecision highp sampler3D;\n" \
+                                "precision highp usampler2D;" >out
                         for (i = 1 + dialect; i <= NR; i++)
                             print line[i] >out
                         close(out)
@@ -95,7 +96,11 @@ expand() { # SHADER
     if [ "${1##*.}" = glsl ]; then
         shader=$name.stub.frag
         printf '#include "%s"\n' "${1##*/}" >"$shader"
-        grep -qE 'void main\(\)|include "main.glsl"' "$1" || printf 'void main() {}\n' >>"$shader"
+        if grep -q '^uniform usampler2D' "$1"; then # only the course's dialect, that of main.glsl, has tables
+            printf '#include "main.glsl"\n' >>"$shader"
+        elif ! grep -qE 'void main\(\)|include "main.glsl"' "$1"; then
+            printf 'void main() {}\n' >>"$shader"
+        fi
     fi
     build/00_first_scene --shader "$shader" --print-shader >"$name.frag" || return
     # A shader with a main of its own is not the course's, so the names of the views are missing.

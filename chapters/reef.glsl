@@ -1,41 +1,53 @@
 // reef.glsl - the reef of chapter 22: parts and lists from a table, and a march whose steps end where a cell with a
 // list ends.
 //
-// The table is a picture of bytes, 512 texels wide, which shaders/textures/reef.c writes. It contains three reefs. For
-// each reef, eight texels at the start of the table store where its data begin, and its grid. A part takes three
-// texels, a cell takes one, and two indices of parts share one. Byte 0 of a cell is the number of parts in its list.
-// The other bytes are a whole number: the position of the list or, if the list is empty, 4096 times a lower bound of
-// the distance from the cell's centre to the scene.
+// The table, which shaders/textures/reef.c writes, has 256 texels in a row, each of four whole numbers of 32 bits. It
+// contains three reefs. For each reef, two texels at the start store where its data begin, and its grid. A part takes
+// one texel. The number of a cell has 16 bits: the number of its list or, if its list is empty, 65535 less 8 times a
+// lower bound of the distance from the cell's centre to the scene. A list is a number of 32 bits: where it begins among
+// the indices of parts, and its length in the highest byte. An index has 16 bits. Lists overlap, and many cells share
+// one list.
 #include "march.glsl"  // Hit, distanceAt
 #include "scene.glsl"
 #include "bounds.glsl" // boxInterval
 
-uniform sampler2D reef; // "reef.png" linear clamp: parts and lists
-uniform int parts;      // 4096 in [64, 4096] step *8: number of parts in the reef: 64, 512 or 4096
+uniform usampler2D reef; // "reef.png": parts and lists
+uniform int parts;       // 4096 in [64, 4096] step *8: number of parts in the reef: 64, 512 or 4096
 
 const float BLEND = 0.024;                  // width of the blend between two parts, scene units
 const float MARGIN = 2.0 * BLEND;           // least distance from a cell to the union of the parts that its list leaves out
+const int   FIRST_EMPTY = 64512;            // cells with a number from here on have no list
 const vec3  CORNER = vec3(-10.0, -2.0, -16.0); // positions in the table are relative to this corner
 
-// Texel i of the table, as bytes.
-ivec4 reefTexel(int i)
+// Texel i of the table.
+uvec4 reefTexel(int i)
 {
-    return ivec4(255.0 * texelFetch(reef, ivec2(i & 511, i >> 9), 0) + 0.5);
+    return texelFetch(reef, ivec2(i & 255, i >> 8), 0);
 }
 
-// The whole number in the last three bytes of a texel.
-int reefNumber(int i)
+// Number i of 32 bits, counted from a texel.
+uint reefWord(int texel, int i)
 {
-    ivec4 byte = reefTexel(i);
-    return byte.y | byte.z << 8 | byte.w << 16;
+    uvec4 four = reefTexel(texel + (i >> 2));
+    uvec2 two = (i & 2) == 0 ? four.xy : four.zw;
+    return (i & 1) == 0 ? two.x : two.y;
 }
 
-// The texels at which a reef's parts, cells and lists begin, and the grid of the reef.
+// Number i of the eight numbers of 16 bits in a texel, where i counts modulo 8.
+int indexIn(uvec4 texel, int i)
+{
+    uvec2 two = (i & 4) == 0 ? texel.xy : texel.zw;
+    uint one = (i & 2) == 0 ? two.x : two.y;
+    return int((i & 1) == 0 ? one & 65535u : one >> 16);
+}
+
+// The texels at which a reef's parts, cells, lists and indices begin, and the grid of the reef.
 struct Grid {
-    int count, partsAt, cellsAt, idsAt;
+    int   count; // number of parts
+    ivec4 at;    // the texels, in this order
     ivec3 cells;
     vec3  low;
-    float size; // side of a cell
+    float size;  // side of a cell
 };
 
 Grid grid;
@@ -43,10 +55,11 @@ Grid grid;
 // Read the grid of the reef that the parameter parts selects. Every pixel calls this function first.
 void readGrid()
 {
-    int at = 8 * (parts > 512 ? 2 : (parts > 64 ? 1 : 0));
-    vec3 low = vec3(reefTexel(at + 6).xyz + 256 * reefTexel(at + 7).xyz);
-    grid = Grid(reefNumber(at), reefNumber(at + 1), reefNumber(at + 2), reefNumber(at + 3), reefTexel(at + 4).xyz,
-                CORNER + low / 64.0, float(reefNumber(at + 5)) / 4096.0);
+    int i = parts > 512 ? 2 : (parts > 64 ? 1 : 0);
+    uvec4 b = reefTexel(2 * i + 1);
+    vec3 low = vec3(b.z & 65535u, b.z >> 16, b.w);
+    grid = Grid(64 << 3 * i, ivec4(reefTexel(2 * i)), ivec3(b.x & 1023u, b.x >> 10 & 1023u, b.x >> 20),
+                CORNER + low / 64.0, float(b.y) / 4096.0);
 }
 
 // ---- Parts ----
@@ -57,22 +70,18 @@ int asked = 0; // number of parts evaluated for this pixel
 vec4 partAt(int id, vec3 p)
 {
     asked++;
-    int i = grid.partsAt + 3 * id, j = i + 1, k = i + 2;
-    vec4 a = texelFetch(reef, ivec2(i & 511, i >> 9), 0), b = texelFetch(reef, ivec2(j & 511, j >> 9), 0);
-    vec3 c = texelFetch(reef, ivec2(k & 511, k >> 9), 0).xyz;
-    vec3 from = p - CORNER - (255.0 / 2048.0) * (vec3(a.xz, b.x) + 256.0 * vec3(a.yw, b.y));
-    vec3 halfway = (255.0 / 256.0) * c - 0.5;
+    uvec4 w = reefTexel(grid.at.x + id);
+    vec3 from = p - CORNER - vec3(w.x & 65535u, w.x >> 16, w.y & 65535u) / 2048.0;
+    vec3 halfway = vec3(w.z & 255u, w.z >> 8 & 255u, w.z >> 16) / 256.0 - 0.5;
     float along = clamp(dot(from, halfway) / max(dot(halfway, halfway), 1e-9), -1.0, 1.0);
-    return vec4(from - along * halfway, 0.9922 * b.z * b.z);
+    float root = float(w.y >> 16 & 255u);
+    return vec4(from - along * halfway, root * root / 65536.0);
 }
 
-// The index of the part at a position in the lists.
-int listed(int position)
+// The colour of a part and its nearness to the tip, for paintColour.
+int partPaint(int id)
 {
-    int i = grid.idsAt + (position >> 1);
-    vec4 two = 255.0 * texelFetch(reef, ivec2(i & 511, i >> 9), 0);
-    vec2 one = (position & 1) == 0 ? two.xy : two.zw;
-    return int(one.x + 256.0 * one.y + 0.5);
+    return int(reefTexel(grid.at.x + id).y >> 24);
 }
 
 // opSmoothUnion with the width BLEND.
@@ -95,18 +104,30 @@ struct Cell {
 Cell cellAt(vec3 p)
 {
     ivec3 c = clamp(ivec3((p - grid.low) / grid.size), ivec3(0), grid.cells - 1);
-    ivec4 byte = reefTexel(grid.cellsAt + (c.z * grid.cells.y + c.y) * grid.cells.x + c.x);
-    int number = byte.y | byte.z << 8 | byte.w << 16;
-    return Cell(grid.low + grid.size * vec3(c), grid.size, number, byte.x, float(number) / 4096.0);
+    int i = (c.z * grid.cells.y + c.y) * grid.cells.x + c.x, number = indexIn(reefTexel(grid.at.y + (i >> 3)), i);
+    bool empty = number >= FIRST_EMPTY;
+    uint list = reefWord(grid.at.z, empty ? 0 : number);
+    return Cell(grid.low + grid.size * vec3(c), grid.size, int(list & 0xffffffu), empty ? 0 : int(list >> 24),
+                float(65535 - number) / 8.0);
 }
 
-// The smooth union of the parts in a cell's list, or 1e9 if the list is empty.
+// The index of the part at a position in the lists.
+int listed(int position)
+{
+    return indexIn(reefTexel(grid.at.w + (position >> 3)), position);
+}
+
+// The smooth union of the parts in a cell's list, or 1e9 if the list is empty. Each texel of indices is read once.
 float listDistance(vec3 p, Cell cell)
 {
     float value = 1e9;
-    for (int i = 0; i < cell.count; i++) {
-        vec4 part = partAt(listed(cell.first + i), p);
-        value = blended(value, length(part.xyz) - part.w);
+    int position = cell.first, end = cell.first + cell.count;
+    while (position < end) {
+        uvec4 texel = reefTexel(grid.at.w + (position >> 3));
+        for (int last = min(end, (position | 7) + 1); position < last; position++) {
+            vec4 part = partAt(indexIn(texel, position), p);
+            value = blended(value, length(part.xyz) - part.w);
+        }
     }
     return value;
 }
@@ -179,7 +200,7 @@ Skin skinAt(vec3 p, bool wanted)
     float value = 1e9;
     Skin skin = Skin(vec3(0.0, 1.0, 0.0), vec3(0.5), 0.0);
     for (int i = 0; wanted && i < cell.count; i++) {
-        int id = listed(cell.first + i), paint = reefTexel(grid.partsAt + 3 * id + 1).w;
+        int id = listed(cell.first + i), paint = partPaint(id);
         vec4 part = partAt(id, p);
         float size = max(length(part.xyz), 1e-6), d = size - part.w;
         float h = max(BLEND - abs(value - d), 0.0) / BLEND, less = 0.5 * h * h, share = d < value ? 1.0 - less : less;

@@ -14,6 +14,6 @@ vec3 rayColour(Ray ray)
     float radius = hitThreshold + pixelSpread() * hit.t;
     Ray there = shadowRay(p, skin.normal, TO_SUN, 2.0 * radius + 0.004);
     float reach = hit.found ? shadowReach(skin.normal, TO_SUN, min(reefInterval(there).y, 8.0)) : 0.0;
-    marchReef(there, 0.0, reach, hitThreshold, 0.0, maxSteps);
+    sunSeen(there, reach);
     return countColour(asked - before);
 }

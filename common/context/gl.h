@@ -18,7 +18,7 @@
 #define GL_IS_ES 1
 #define GL_GLSL_WITH(directives)                                                                   \
     "#version 300 es\n" directives "precision highp float;\nprecision highp int;\n"                \
-    "precision highp sampler2D;\nprecision highp sampler3D;\n"
+    "precision highp sampler2D;\nprecision highp sampler3D;\nprecision highp usampler2D;\n"
 #define GL_VERSION_READ "OpenGL ES %d.%d"
 enum { GL_NEEDED_MAJOR = 3, GL_NEEDED_MINOR = 0 };
 #else

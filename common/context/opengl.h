@@ -68,7 +68,9 @@ typedef uint64_t GLuint64;
 #define GL_RGBA                     0x1908
 #define GL_RGBA16F                  0x881A
 #define GL_RGBA32F                  0x8814
+#define GL_RGBA32UI                 0x8D70
 #define GL_RGBA8                    0x8058
+#define GL_RGBA_INTEGER             0x8D99
 #define GL_SCISSOR_TEST             0x0C11
 #define GL_SRGB8_ALPHA8             0x8C43
 #define GL_STREAM_DRAW              0x88E0
@@ -88,6 +90,7 @@ typedef uint64_t GLuint64;
 #define GL_TRUE                     1
 #define GL_UNPACK_ALIGNMENT         0x0CF5
 #define GL_UNSIGNED_BYTE            0x1401
+#define GL_UNSIGNED_INT             0x1405
 #define GL_VERSION                  0x1F02
 #define GL_VERTEX_SHADER            0x8B31
 #define GL_ZERO                     0

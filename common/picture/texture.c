@@ -1,6 +1,7 @@
 #include "picture/texture.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +9,7 @@
 #include "picture/colour.h"
 #include "memory.h"
 
-enum { CHANNELS = 4, BYTES = 256 };
+enum { CHANNELS = 4, BYTES = 256, WORDS = 4 }; // WORDS: numbers in a texel of a table
 
 // ---- Values and bytes ----
 
@@ -119,6 +120,36 @@ static bool make_levels(struct texture_image *image, const struct code code[2], 
     return image->count > 0 && texels(image->size[image->count - 1]) == 1;
 }
 
+// Make the only level of a table: four pixels of the file become the four numbers of a texel. The
+// first byte of a pixel is the lowest of its number. Returns false if memory is short.
+static bool make_words(struct texture_image *image, const struct image_bytes *bytes)
+{
+    size_t row = (size_t)bytes->width, count = row * (size_t)bytes->height;
+    uint32_t *word = calloc(count, sizeof *word);
+    for (size_t i = 0; word != NULL && i < count; i++) {
+        const unsigned char *b =
+            bytes->value + CHANNELS * (row * ((size_t)bytes->height - 1 - i / row) + i % row);
+        word[i] = b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
+    }
+    image->size[0][0] = bytes->width / WORDS;
+    image->size[0][1] = bytes->height;
+    image->size[0][2] = 1;
+    image->level[0] = (unsigned char *)word;
+    image->count = word != NULL;
+    return word != NULL;
+}
+
+// Make all levels.
+//   size  width, height, slices
+static bool make_image(struct texture_image *image, const struct image_bytes *bytes,
+                       const struct sampler *sampler, int size[3])
+{
+    struct code code[2]; // for the colours, and for alpha
+    make_code(&code[0], sampler->srgb);
+    make_code(&code[1], false);
+    return make_levels(image, code, first_level(image, bytes, code, size), size);
+}
+
 bool texture_image_read(struct texture_image *image, const struct sampler *sampler,
                         const char *path, char why[IMAGE_WHY])
 {
@@ -128,17 +159,21 @@ bool texture_image_read(struct texture_image *image, const struct sampler *sampl
         return false;
     int slices = sampler->slices > 0 ? sampler->slices : 1;
     int size[3] = {bytes.width, bytes.height / slices, slices};
-    bool fits = bytes.height % slices == 0, done = false;
-    if (fits) {
-        struct code code[2]; // for the colours, and for alpha
-        make_code(&code[0], sampler->srgb);
-        make_code(&code[1], false);
-        done = make_levels(image, code, first_level(image, &bytes, code, size), size);
-        snprintf(why, IMAGE_WHY, "not enough memory for %dx%d pixels%s", bytes.width, bytes.height,
-                 memory_limit());
-    } else
+    bool done = false;
+    if (bytes.height % slices != 0)
         snprintf(why, IMAGE_WHY, "%d slices do not divide the height of %d pixels", slices,
                  bytes.height);
+    else if (sampler->words && bytes.width % WORDS != 0)
+        snprintf(why, IMAGE_WHY,
+                 "a usampler2D has four pixels in each texel, and the width of %d pixels is not "
+                 "divisible by four",
+                 bytes.width);
+    else {
+        done =
+            sampler->words ? make_words(image, &bytes) : make_image(image, &bytes, sampler, size);
+        snprintf(why, IMAGE_WHY, "not enough memory for %dx%d pixels%s", bytes.width, bytes.height,
+                 memory_limit());
+    }
     free(bytes.value);
     if (!done)
         texture_image_free(image);
@@ -171,7 +206,7 @@ static bool within_driver(const struct gl *gl, const struct texture_image *image
 static bool upload(struct texture *texture, const struct gl *gl, const struct texture_image *image,
                    const struct sampler *sampler)
 {
-    GLint format = sampler->srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+    GLint format = sampler->words ? GL_RGBA32UI : sampler->srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8;
     GLint edge = sampler->repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     GLenum target = texture->target;
     memcpy(texture->size, image->size[0], sizeof texture->size);
@@ -183,11 +218,13 @@ static bool upload(struct texture *texture, const struct gl *gl, const struct te
             gl->TexImage3D(target, i, format, size[0], size[1], size[2], 0, GL_RGBA,
                            GL_UNSIGNED_BYTE, image->level[i]);
         else
-            gl->TexImage2D(target, i, format, size[0], size[1], 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                           image->level[i]);
+            gl->TexImage2D(target, i, format, size[0], size[1], 0,
+                           sampler->words ? GL_RGBA_INTEGER : GL_RGBA,
+                           sampler->words ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE, image->level[i]);
     }
-    gl->TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    gl->TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl->TexParameteri(target, GL_TEXTURE_MIN_FILTER,
+                      sampler->words ? GL_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
+    gl->TexParameteri(target, GL_TEXTURE_MAG_FILTER, sampler->words ? GL_NEAREST : GL_LINEAR);
     gl->TexParameteri(target, GL_TEXTURE_WRAP_S, edge);
     gl->TexParameteri(target, GL_TEXTURE_WRAP_T, edge);
     gl->TexParameteri(target, GL_TEXTURE_WRAP_R, edge);

@@ -19,14 +19,16 @@
 struct texture_image {
     int count;                            // number of levels
     int size[TEXTURE_LEVELS][3];          // width, height, slices
-    unsigned char *level[TEXTURE_LEVELS]; // RGBA; the first row is the bottom one; owned
+    unsigned char *level[TEXTURE_LEVELS]; // RGBA, or whole numbers of 32 bits, four for each texel,
+                                          // in the machine's order; the first row is the bottom
+                                          // one; owned
 };
 
-// Read a picture and compute its levels.
+// Read a picture and compute its levels. A table of whole numbers has one level.
 //   sampler  how the shader reads the picture. The slices of a volume are one below another in the
 //            file; the first is at the top, and each is upright
 //   why      receives one phrase on failure: that of image_read_bytes, that the slices do not
-//            divide the height, or that memory is short
+//            divide the height or four the width of a table, or that memory is short
 // Returns false without reporting an error on failure. Free with texture_image_free.
 bool texture_image_read(struct texture_image *image, const struct sampler *sampler,
                         const char *path, char why[IMAGE_WHY]);

@@ -7,9 +7,10 @@
 #include "number.h"
 #include "report.h"
 
-#define EXAMPLE2 "uniform sampler2D NAME; // \"stone.png\" sRGB repeat: meaning"
-#define EXAMPLEF "uniform sampler2D history; // the last frame"
-#define EXAMPLE3 "uniform sampler3D NAME; // \"noise.png\" linear repeat 64: meaning"
+#define EXAMPLE2      "uniform sampler2D NAME; // \"stone.png\" sRGB repeat: meaning"
+#define EXAMPLEF      "uniform sampler2D history; // the last frame"
+#define EXAMPLE3      "uniform sampler3D NAME; // \"noise.png\" linear repeat 64: meaning"
+#define EXAMPLE_WORDS "uniform usampler2D NAME; // \"table.png\": meaning"
 
 // Read one of two words.
 //   what  explains the two words, for messages
@@ -44,6 +45,16 @@ static bool read_slices(struct annotation *a, struct sampler *sampler, bool volu
     return true;
 }
 
+// Read how texels are encoded, what lies outside the picture, and the number of slices.
+static bool read_form(struct annotation *a, struct sampler *sampler, bool volume)
+{
+    return read_choice(a, "sRGB", "linear", "sRGB is for colours, linear for numbers",
+                       &sampler->srgb) &&
+           read_choice(a, "repeat", "clamp", "repeat tiles the picture, clamp continues its edge",
+                       &sampler->repeat) &&
+           read_slices(a, sampler, volume);
+}
+
 static bool read_picture(struct annotation *a, bool volume, char file[256])
 {
     struct sampler *sampler = &a->sampler;
@@ -54,11 +65,7 @@ static bool read_picture(struct annotation *a, bool volume, char file[256])
         return annotation_refuse(a, "the file's name has no closing quote: write it as in \"%s\"",
                                  a->example);
     return annotation_copy(a, "file's name", file, 256, length) && annotation_accept(a, '"') &&
-           read_choice(a, "sRGB", "linear", "sRGB is for colours, linear for numbers",
-                       &sampler->srgb) &&
-           read_choice(a, "repeat", "clamp", "repeat tiles the picture, clamp continues its edge",
-                       &sampler->repeat) &&
-           read_slices(a, sampler, volume) &&
+           (sampler->words || read_form(a, sampler, volume)) &&
            (annotation_accept(a, ':') || *a->c == '\0' ||
             annotation_refuse(a, "'%.20s' is not understood: write it as in \"%s\"", a->c,
                               a->example)) &&
@@ -155,26 +162,36 @@ static const struct glsl_token *sampler_type(const struct glsl_token *uniform)
     return strstr(t->text, "sampler") != NULL ? t : NULL;
 }
 
+// A correct declaration of a sampler of this type, or of a sampler2D.
+static const char *example_of(const struct glsl_token *type)
+{
+    return glsl_is(type, "sampler3D")    ? EXAMPLE3
+           : glsl_is(type, "usampler2D") ? EXAMPLE_WORDS
+                                         : EXAMPLE2;
+}
+
 static bool read_sampler(struct samplers *samplers, struct shader_source *source,
                          const struct glsl_token *uniform, const struct glsl_token *type)
 {
     // The samplers of the march, of the coarse pass and of the axis labels, which the harness sets
     // itself.
     static const char *const own[] = {"iMarch", "iCoarse", "iSigns", NULL};
-    bool volume = glsl_is(type, "sampler3D"), twice = false, good = true;
+    bool volume = glsl_is(type, "sampler3D"), words = glsl_is(type, "usampler2D"), twice = false,
+         good = true;
     struct annotation a;
     char file[256];
     if (glsl_is_any(type + 1, own))
         return true;
-    annotation_begin(&a, source, uniform, "sampler", volume ? EXAMPLE3 : EXAMPLE2);
+    annotation_begin(&a, source, uniform, "sampler", example_of(type));
     a.sampler.line = a.line;
     a.sampler.channel = -1;
+    a.sampler.words = words;
     bool done =
         annotation_declaration(&a) &&
-        (volume || glsl_is(type, "sampler2D") ||
+        (volume || words || glsl_is(type, "sampler2D") ||
          annotation_refuse(&a,
-                           "the type %s cannot be a texture: use sampler2D, or sampler3D for a "
-                           "volume",
+                           "the type %s cannot be a texture: use sampler2D, sampler3D for a "
+                           "volume, or usampler2D for whole numbers",
                            type->text)) &&
         (read_last_frame(&a, volume, &good) ? good : read_picture(&a, volume, file));
     memcpy(a.sampler.name, a.name, sizeof a.name);
@@ -221,7 +238,7 @@ static bool add_others(struct samplers *samplers, struct shader_source *source)
 // to it. A function's parameter is allowed, because it refers to a sampler declared elsewhere.
 static bool check_hidden(const struct shader_source *source, const struct glsl_token *type)
 {
-    static const char *const types[] = {"sampler2D", "sampler3D", NULL};
+    static const char *const types[] = {"sampler2D", "sampler3D", "usampler2D", NULL};
     static const char *const parameter[] = {"in", "const", "precision", NULL};
     const struct glsl *code = &source->code;
     const struct glsl_token *t = type - 1;
@@ -234,7 +251,7 @@ static bool check_hidden(const struct shader_source *source, const struct glsl_t
            shader_refuse(source, type->line,
                          "a %s must be a separate uniform, not in a structure or macro: write "
                          "it as in \"%s\"",
-                         type->text, glsl_is(type, "sampler3D") ? EXAMPLE3 : EXAMPLE2);
+                         type->text, example_of(type));
 }
 
 bool samplers_read(struct samplers *samplers, struct shader_source *source)

@@ -374,8 +374,8 @@ void samplers_print(const struct samplers *samplers, const struct shader_source 
         row[1] = memory_text("%s", s->pass > 0   ? "the last frame"
                                    : s->file < 0 ? "-"
                                                  : source->files[s->file]);
-        row[2] = memory_text("%s", s->srgb ? "sRGB" : "linear");
-        row[3] = memory_text("%s", s->repeat ? "repeat" : "clamp");
+        row[2] = memory_text("%s", s->words ? "words" : s->srgb ? "sRGB" : "linear");
+        row[3] = memory_text("%s", s->words ? "-" : s->repeat ? "repeat" : "clamp");
         row[4] = s->slices > 0 ? memory_text("%d", s->slices) : memory_text("-");
         row[5] = memory_text("%s", s->meaning);
     }

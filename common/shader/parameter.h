@@ -36,12 +36,15 @@
 //   uniform sampler2D granite; // "granite.png" sRGB repeat: polished stone, seen from above
 //   uniform sampler3D noise;   // "noise.png" linear repeat 64: value noise, 64 slices one below
 //                              // the other
+//   uniform usampler2D reef;   // "reef.png": parts and lists
 //
 // The comment begins with the name of a file in quotes, which is looked for next to the file that
 // declares the sampler, then in shaders/textures/, but never outside the project and the shader's
 // own folder. Then come: sRGB for a colour, which is decoded when it is read, or linear for a
 // number, which is not; repeat or clamp, for coordinates outside [0, 1]; for a volume, its number
-// of slices; and a meaning.
+// of slices; and a meaning. A usampler2D is a table of whole numbers of 32 bits, which is read with
+// texelFetch: each of its texels is four pixels of the picture, and red is the lowest byte of each.
+// After the name of its file, only a meaning follows.
 //
 // In the course's dialect, every sampler needs such a comment, unless the preprocessor certainly
 // skips the sampler. In the other dialects, the samplers are those of the source that have a
@@ -65,6 +68,7 @@ struct sampler {
     bool srgb, repeat; // if false: linear, clamp
     int slices;        // number of slices of a volume; 0 for a picture
     bool cube;         // a cube map
+    bool words;        // a table of whole numbers: a usampler2D
     // The number of the pass whose last picture it reads, from 1; 0 if it reads a file. A course
     // shader has one pass, what it keeps itself.
     int pass;

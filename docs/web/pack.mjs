@@ -14,7 +14,7 @@ function namedBy(name) {
     if (name.endsWith('.png')) return [];
     const text = fs.readFileSync(name, 'utf8');
     const included = [...text.matchAll(/^#include "([^"]+)"/gm)].map(([, one]) => [path.dirname(name), 'shaders', 'chapters'].map((folder) => path.join(folder, one)).find((file) => known.has(file)));
-    const textures = [...text.matchAll(/^uniform sampler2D .*\/\/ "([^"]+)"/gm)].map(([, one]) => `shaders/textures/${one}`);
+    const textures = [...text.matchAll(/^uniform u?sampler2D .*\/\/ "([^"]+)"/gm)].map(([, one]) => `shaders/textures/${one}`);
     return [...included, ...textures].filter((file) => known.has(file));
 }
 

@@ -269,6 +269,8 @@ int paint_texture(int width, int height, int samples, enum paint_kind kind,
     }
     png_init_io(png, stdout);
     png_set_compression_level(png, 9);
+    if (kind == PAINT_BYTES) // neighbouring bytes are not alike, so differences pack no better
+        png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
     png_set_IHDR(png, info, (png_uint_32)width, (png_uint_32)height, 8, colours[channels_of(kind)],
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_BASE, PNG_FILTER_TYPE_BASE);
     if (kind == PAINT_COLOUR || kind == PAINT_FOUR)

@@ -33,6 +33,31 @@ double part_distance(const struct part *part, const double p[3])
     return sqrt(apart) - part->radius;
 }
 
+// The square of the distance between the point of a part's segment at h and a cube.
+static double square_at(const struct part *part, double h, const double centre[3], double half)
+{
+    double square = 0.0;
+    for (int i = 0; i < 3; i++) {
+        double at = part->centre[i] + h * part->half[i] - centre[i];
+        double outside = maximum((at < 0.0 ? -at : at) - half, 0.0);
+        square += outside * outside;
+    }
+    return square;
+}
+
+double part_distance_from_cube(const struct part *part, const double centre[3], double half)
+{
+    double low = -1.0, high = 1.0; // the square is a convex function of h: divide the range
+    for (int i = 0; i < 40; i++) {
+        double third = (high - low) / 3.0, a = low + third, b = high - third;
+        if (square_at(part, a, centre, half) < square_at(part, b, centre, half))
+            high = b;
+        else
+            low = a;
+    }
+    return sqrt(square_at(part, 0.5 * (low + high), centre, half)) - part->radius - 1e-5;
+}
+
 double part_union(double a, double b, double blend)
 {
     double h = maximum(blend - fabs(a - b), 0.0);
@@ -105,9 +130,10 @@ static double prune(const struct builder *b, struct block *block, const double c
 }
 
 // Shorten the list of a cell, and store it.
-//   value  the scene's distance from the centre
-//   r      the corners' distance from the centre
-static void finish(struct builder *b, struct block *block, double value, double r)
+//   value   the scene's distance from the centre
+//   r       the corners' distance from the centre
+static void finish(struct builder *b, struct block *block, const double centre[3], double value,
+                   double r)
 {
     struct part_grid *grid = b->grid;
     int kept = 0, nearest = 0;
@@ -115,7 +141,10 @@ static void finish(struct builder *b, struct block *block, double value, double 
         nearest = block->distance[i] < block->distance[nearest] ? i : nearest;
     bool solid = value < -r; // no march gets here, so the nearest part is enough
     for (int i = 0; i < block->count; i++)
-        if (solid ? i == nearest : block->distance[i] - r < PART_MARGIN * grid->blend)
+        if (solid ? i == nearest
+                  : block->distance[i] - r < PART_MARGIN * grid->blend &&
+                        part_distance_from_cube(&b->part[block->id[i]], centre, 0.5 * grid->size) <
+                            PART_MARGIN * grid->blend)
             block->id[kept++] = block->id[i];
     if (grid->ids + kept > b->room) {
         b->room = 2 * (grid->ids + kept) + 1024;
@@ -169,7 +198,7 @@ static void divide(struct builder *b, const struct block *box, const uint16_t *i
         for (int i = 0; i < 3; i++)
             one &= block.high[i] - block.low[i] == 1;
         if (one)
-            finish(b, &block, value, r);
+            finish(b, &block, centre, value, r);
         for (int number = 0; !one && number < 8; number++)
             if (eighth(&block, number, &part))
                 divide(b, &part, block.id, block.count);

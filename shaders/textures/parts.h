@@ -19,7 +19,7 @@
 #define PART_REACH  3.0
 #define PART_MARGIN 3.0
 
-#define PART_FINENESS 6.5 // fineness of the chapter's grid, for part_grid_build
+#define PART_FINENESS 9.6 // fineness of the chapter's grid, for part_grid_build
 
 // The corner of the scene from which positions are measured.
 extern const double part_low[3];
@@ -32,6 +32,10 @@ struct part {
 
 // The distance from p to a part, negative inside; exact.
 double part_distance(const struct part *part, const double p[3]);
+
+// A lower bound of the distance between a part and a cube, at most 0.00001 below the distance.
+//   half  half of the cube's side
+double part_distance_from_cube(const struct part *part, const double centre[3], double half);
 
 // opSmoothUnion of combine.glsl.
 double part_union(double a, double b, double blend);

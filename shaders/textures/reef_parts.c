@@ -54,7 +54,7 @@ static struct v3 unit(struct v3 a)
 
 static double drawn(struct reef *reef)
 {
-    return paint_random(reef->drawn++, 0, 22U);
+    return paint_random(reef->drawn++, 0, 25U);
 }
 
 // A random direction, uniformly distributed.
@@ -239,15 +239,15 @@ static void colony(struct reef *reef, int number, struct v3 base, double size, i
     }
 }
 
-// A fish: a body, and a tail with two fins.
+// A fish: a body that becomes thinner towards a tail with two fins.
 static void fish(struct reef *reef, struct v3 p, struct v3 d, double size, int colour)
 {
-    struct v3 tail = plus(p, -2.2 * size, d), up = v3(0.0, 1.0, 0.0);
-    add(reef, plus(p, -size, d), plus(p, size, d), 0.55 * size, FISH, colour / 15.0);
-    add(reef, tail, plus(plus(tail, -0.8 * size, d), 0.8 * size, up), 0.13 * size, FISH,
-        colour / 15.0);
-    add(reef, tail, plus(plus(tail, -0.8 * size, d), -0.8 * size, up), 0.13 * size, FISH,
-        colour / 15.0);
+    struct v3 tail = plus(p, -1.9 * size, d), up = v3(0.0, 1.0, 0.0);
+    double paint = colour / 15.0;
+    add(reef, plus(p, -0.1 * size, d), plus(p, 0.9 * size, d), 0.52 * size, FISH, paint);
+    add(reef, plus(p, -0.3 * size, d), tail, 0.25 * size, FISH, paint);
+    add(reef, tail, plus(plus(tail, -0.7 * size, d), 0.7 * size, up), 0.12 * size, FISH, paint);
+    add(reef, tail, plus(plus(tail, -0.7 * size, d), -0.7 * size, up), 0.12 * size, FISH, paint);
 }
 
 static double cube_root(double x)
@@ -266,7 +266,7 @@ void reef_build(int count, struct part *part)
                  : count >= 512 ? 12
                                 : 2,
         pebbles = count / 14, rocks = count / 50;
-    int grown = count - pebbles - rocks - 3 * school,
+    int grown = count - pebbles - rocks - 4 * school,
         colonies = grown / COLONY > 1 ? grown / COLONY : 1;
     double size = 3.6 / cube_root(colonies);
     struct v3 around = v3(0.8, 0.0, 0.6);

@@ -148,6 +148,41 @@ TEST(the_level_is_the_one_asked_for)
     texture_image_free(&image);
 }
 
+// A table of two by two texels. The pixels of the file contain the bytes of its numbers, the lowest
+// byte in red; the first row of the file is the upper row of the table.
+TEST(whole_numbers_keep_all_their_bits)
+{
+    const struct png_kind kind = {.type = PNG_COLOR_TYPE_RGB_ALPHA, .depth = 8};
+    uint16_t sample[64];
+    char expression[512];
+    for (int i = 0; i < 64; i++)
+        sample[i] = (uint16_t)(i == 5 ? 0 : i == 6 ? 255 : 4 * i + 3);
+    png_file("table.png", &kind, 8, 2, sample);
+    for (int i = 0; i < 16; i++) {
+        uint32_t word = 0;
+        for (int k = 0; k < 4; k++)
+            word |= (uint32_t)sample[4 * i + k] << 8 * k;
+        snprintf(
+            expression, sizeof expression,
+            "vec3(texelFetch(t, ivec2(%d, %d), 0)[%d] == %uu, textureSize(t, 0) == ivec2(2), 0.0)",
+            i / 4 % 2, 1 - i / 8, i % 4, (unsigned)word);
+        float *values =
+            draw_expression("uniform usampler2D t; // \"table.png\": numbers\n", expression, 1, 1);
+        assert_true(values[0] == 1.0F && values[1] == 1.0F);
+        free(values);
+    }
+}
+
+TEST(a_table_has_four_pixels_in_each_texel)
+{
+    struct texture_image image;
+    char why[IMAGE_WHY];
+    const struct sampler sampler = {.words = true};
+    const char *path = png_file_random("table.png", 6, 2, NULL);
+    assert_false(texture_image_read(&image, &sampler, path, why));
+    assert_non_null(strstr(why, "the width of 6 pixels is not divisible by four"));
+}
+
 // The shader declares as many samplers as the driver has units, but the harness needs the first
 // unit and one for letters.
 TEST(too_many_samplers_are_refused)

@@ -70,23 +70,26 @@ TEST(test_all_parts_are_read)
         "uniform sampler2D stone;   // \"stone.png\" sRGB repeat: grey: from above\n"
         "uniform float f; // 1 in [0, 2]: a parameter\n"
         "  uniform  highp sampler3D\tv ; //\"both.png\"  linear\tclamp  64 :\xC2\xA0 slices \n"
-        "uniform mediump sampler2D w;//\"deep/far.png\"linear repeat:w\n",
+        "uniform mediump sampler2D w;//\"deep/far.png\"linear repeat:w\n"
+        "uniform highp usampler2D table; // \"stone.png\": whole numbers\n",
         NULL);
-    assert_int_equal(read->count, 4);
+    assert_int_equal(read->count, 5);
     assert_int_equal(parameters.count, 1);
-    static const char *const names[] = {"l", "stone", "v", "w"};
+    static const char *const names[] = {"l", "stone", "v", "w", "table"};
     static const char *const files[] = {"root/shaders/l.png", "root/shaders/textures/stone.png",
-                                        "own/both.png", "own/deep/far.png"};
-    static const char *const meanings[] = {"x", "grey: from above", "slices", "w"};
-    static const int slices[] = {0, 0, 64, 0};
-    static const bool srgb[] = {true, true, false, false}, repeat[] = {false, true, false, true};
-    for (int i = 0; i < 4; i++) {
+                                        "own/both.png", "own/deep/far.png",
+                                        "root/shaders/textures/stone.png"};
+    static const char *const meanings[] = {"x", "grey: from above", "slices", "w", "whole numbers"};
+    static const int slices[] = {0, 0, 64, 0, 0};
+    static const bool srgb[] = {true, true, false, false, false},
+                      repeat[] = {false, true, false, true, false};
+    for (int i = 0; i < 5; i++) {
         const struct sampler *s = &read->item[i];
         assert_string_equal(s->name, names[i]);
         assert_string_equal(source.paths[s->file], scratch_path(files[i]));
         assert_string_equal(s->meaning, meanings[i]);
         assert_int_equal(s->slices, slices[i]);
-        assert_true(s->srgb == srgb[i] && s->repeat == repeat[i]);
+        assert_true(s->srgb == srgb[i] && s->repeat == repeat[i] && s->words == (i == 4));
     }
     // The pictures are files of the source, so a window watches them, and no output overwrites
     // them.
@@ -148,6 +151,11 @@ static const char *const wrong[][2] = {
     {"uniform sampler3D a; // \"stone.png\" sRGB repeat 4x: x", "'x: x' is not understood"},
     {"uniform samplerCube a; // \"stone.png\" sRGB repeat: x", "type samplerCube cannot"},
     {"uniform isampler2D a; // \"stone.png\" linear repeat: x", "type isampler2D cannot"},
+    {"uniform usampler3D a; // \"stone.png\": x", "or usampler2D for whole numbers"},
+    {"uniform usampler2D a; // a table", "name one as in \"uniform usampler2D NAME;"},
+    {"uniform usampler2D a; // \"stone.png\" linear clamp: x", "'linear clamp: x' is not"},
+    {"uniform usampler2D a; // \"stone.png\"", "meaning is missing"},
+    {"struct S { highp usampler2D a; }; uniform S s;", "\"table.png\": meaning"},
     {"uniform sampler2D a, b; // \"stone.png\" sRGB repeat: x", "alone on its line"},
     {"uniform sampler2D a[2]; // \"stone.png\" sRGB repeat: x", "alone on its line"},
     {"uniform sampler2D", "not a sampler's declaration"},
@@ -329,15 +337,18 @@ TEST(test_channels_come_from_the_command_line)
 TEST(test_the_table_describes_a_texture)
 {
     char text[1024];
-    samplers_of("uniform sampler3D a; // \"stone.png\" linear clamp 12: what it is\n", NULL);
+    samplers_of("uniform sampler3D a; // \"stone.png\" linear clamp 12: what it is\n"
+                "uniform usampler2D b; // \"stone.png\": a table\n",
+                NULL);
     FILE *file = system_open_scratch();
     samplers_print(&parameters.samplers, &source, file);
     rewind(file);
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
     fclose(file);
-    assert_string_equal(
-        text, "\ntexture  file                        colour  edge    slices  meaning\n"
-              "a        shaders/textures/stone.png  linear  clamp   12      what it is\n");
+    assert_string_equal(text,
+                        "\ntexture  file                        colour  edge    slices  meaning\n"
+                        "a        shaders/textures/stone.png  linear  clamp   12      what it is\n"
+                        "b        shaders/textures/stone.png  words   -       -       a table\n");
 }
 
 TEST(test_a_sampler_reads_the_last_frame)
