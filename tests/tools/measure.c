@@ -15,6 +15,7 @@
 #include "lib/marches.h"
 #include "lib/measure.h"
 #include "lib/occlusion.h"
+#include "lib/paths.h"
 #include "lib/report_pictures.h"
 #include "lib/sky_table.h"
 #include "lib/speed.h"
@@ -330,6 +331,8 @@ static const struct measurement {
      print_shadows},
     {"occlusion", "the visible share of the sky from five taps, against the truth", true,
      occlusion_print},
+    {"paths", "the light of chapters 13 and 14, against paths of light in their scenes", true,
+     paths_print},
     {"glass", "share of the light that glass reflects; light missing after a number of surfaces",
      true, glass_print},
     {"gloss", "share of the light that a highlight sends back", false, print_gloss},
