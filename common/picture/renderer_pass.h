@@ -111,8 +111,8 @@ struct renderer {
     struct kept kept;              // what its frames have kept, if it has a sampler that reads this
     struct renderer *pass;         // draw the passes of a file with several, in their order; owned
     int pass_count;
-    struct axis_labels labels; // the numbers and words that its views write
     enum shader_view view;
+    struct axis_labels labels;            // the numbers and words that its views write
     float focal_length;                   // for shaders that do not declare focalLength
     double orthographic;                  // the input OrthoView: 0 perspective, 1 orthographic
     GLuint program[SHADER_PROGRAM_COUNT]; // one per view, linked when first needed

@@ -61,7 +61,7 @@ make_project() {
     printf '01\n    A sentence.\n' >docs/lecture.txt
     printf '<!-- benchmark -->\n<!-- /benchmark -->\n<!-- marches -->\n<!-- /marches -->\n' >docs/benchmark.md
     for name in LICENSE Makefile docs/web/live.css docs/web/LICENSE.fonts docs/web/guesses.txt common/picture/font/README tests/course/a.sh tests/course/a.mjs .ci/run \
-        docs/web/site.css docs/web/site.js docs/web/find.js docs/web/guess.js docs/web/question.js docs/web/play.js docs/web/dropped.js docs/web/edits.js docs/web/icon.svg docs/figures/a.svg \
+        docs/web/site.css docs/web/site.js docs/web/find.js docs/web/guess.js docs/web/question.js docs/web/progress.js docs/web/play.js docs/web/dropped.js docs/web/edits.js docs/web/icon.svg docs/figures/a.svg \
         tests/references/a-solution-1.png shaders/textures/noise.png; do
         printf 'solutions/\n' >"$name"
     done

@@ -131,9 +131,11 @@ static int pack(const struct image *image, const char *to)
 static bool subtract(const struct image *a, const struct image *b, struct image *added)
 {
     size_t bytes = 3 * (size_t)a->width * (size_t)a->height;
-    if (a->width != b->width || a->height != b->height)
-        return report("a picture of %dx%d and one of %dx%d cannot be subtracted", a->width,
-                      a->height, b->width, b->height);
+    if (a->width != b->width || a->height != b->height) {
+        report("a picture of %dx%d and one of %dx%d cannot be subtracted", a->width, a->height,
+               b->width, b->height);
+        return false;
+    }
     if (!image_create(added, a->width, 2 * a->height))
         return false;
     for (size_t i = 0; i < bytes; i++) {
