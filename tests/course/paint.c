@@ -146,7 +146,7 @@ static void assert_plain(const char *path)
 }
 
 // True if a picture is a table that does not repeat: the first comment of its program says that the
-// table is read with clamp.
+// table is read with clamp, or as the whole numbers of a usampler2D.
 static bool is_clamped(const char *path)
 {
     char source[256], line[256];
@@ -155,7 +155,7 @@ static bool is_clamped(const char *path)
     assert_non_null(file);
     bool clamped = false;
     while (fgets(line, sizeof line, file) != NULL && strncmp(line, "//", 2) == 0)
-        clamped = clamped || strstr(line, " clamp") != NULL;
+        clamped = clamped || strstr(line, " clamp") != NULL || strstr(line, "usampler2D") != NULL;
     fclose(file);
     return clamped;
 }

@@ -96,7 +96,7 @@ picture) halves "$5"; printf '1,2\n3\nit differs by %s\n' "$(cat "$project/versi
 esac
 END
     stand_in build/tests/compare <<'END'
-case $1 in --pack) halves "$3" ;; *) echo 'largest 9'; exit 1 ;; esac
+case $1 in --pack) halves "$3" ;; --subtract) halves "$4" ;; *) echo 'largest 9'; exit 1 ;; esac
 END
     stand_in build/tests/measure <<'END'
 halves /dev/stdout
