@@ -113,8 +113,8 @@ struct renderer {
     int pass_count;
     enum shader_view view;
     struct axis_labels labels;            // the numbers and words that its views write
-    float focal_length;                   // for shaders that do not declare focalLength
     double orthographic;                  // the input OrthoView: 0 perspective, 1 orthographic
+    float focal_length;                   // for shaders that do not declare focalLength
     GLuint program[SHADER_PROGRAM_COUNT]; // one per view, linked when first needed
     // The locations of each program's uniforms: first those of enum renderer_uniform, then those of
     // the inputs, parameters and textures. Owned.
