@@ -33,6 +33,7 @@ const vec3  SKY_COLOUR = vec3(0.25, 0.35, 0.53);    // light from above
 const vec3  EARTH_COLOUR = vec3(0.54, 0.40, 0.31);  // light from below, reflected by the floor
 const vec3  GLOW_COLOUR = vec3(0.22, 0.13, 0.06);   // light from the bright sky around the sun
 const vec3  STONE = vec3(0.80, 0.76, 0.70);
+const vec3  SANDSTONE = vec3(0.62, 0.55, 0.46);     // of the steps: dark enough for the sun on their risers
 const vec4  BALL = vec4(0.1, 0.42, -1.7, 0.42);     // centre and radius
 const float PAVING = 0.9;                           // side of a paving stone, scene units
 const float JOINT = 0.014;                          // width of a joint, in paving stones
@@ -140,7 +141,8 @@ Surface surfaceAt(Ray ray)
         traceMarch(trace.steps, t, END_HIT);
         traceNormal(normal);
     }
-    return Surface(open, p, normal, hit.found ? STONE : floorColour(p, width), radius);
+    vec3 stone = p.x > 2.5 && p.z > -4.92 ? SANDSTONE : STONE;
+    return Surface(open, p, normal, hit.found ? stone : floorColour(p, width), radius);
 }
 
 // The shadow ray from a point to the centre of the sun.
