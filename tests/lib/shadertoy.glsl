@@ -1,6 +1,7 @@
 #version 300 es
 precision highp float;
 precision highp int;
+precision highp sampler2D;
 precision mediump sampler3D;
 #define HW_PERFORMANCE 1
 out vec4 outColor;
