@@ -100,6 +100,8 @@ WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(if $(CI),-Werror)
 # On Windows, the compiler checks format strings against the old C library, which is not the one that is linked, and
 # isfinite and similar functions are macros that convert their arguments.
 WARNINGS += $(if $(EXE),-Wno-format -Wno-float-conversion)
+# A recent clang warns of products of numbers with constants of an enum, such as the size of a texture.
+WARNINGS += -Wno-enum-float-conversion
 # Fused multiply-add is disabled, so that the programs of the textures compute the same numbers everywhere.
 LANGUAGE = -std=c11 -ffp-contract=off -D_XOPEN_SOURCE=700 -Icommon -Ishaders -Itests
 LANGUAGE += $(if $(MAC),-D_DARWIN_C_SOURCE) $(if $(EXE),-D_WIN32_WINNT=0x0A00)
@@ -269,7 +271,9 @@ $(BUILD)/chapters/together/%.o: chapters/%.c $(BUILD)/flags
 ifneq ($(WEB),)
 $(BUILD)/chapters/%.o: INSTRUMENT = $(TOGETHER)
 EXPORTS := _malloc,_free,$(shell grep -oh '\<live_[a-z]*' common/browser/live.h common/browser/canvas.h | sort -u | sed s/^/_/ | paste -sd , -),$(shell grep -oh '\<judge_[a-z]*' tests/lib/judge.h | sort -u | sed s/^/_/ | paste -sd , -)
-EMSCRIPTEN = -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH -sMALLOC=emmalloc -sMODULARIZE -sEXPORT_ES6 \
+# From version 3.1.27 on, Emscripten's stack has only 64 KB unless more is asked for.
+EMSCRIPTEN = -sTOTAL_STACK=5242880 -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH -sMALLOC=emmalloc \
+             -sMODULARIZE -sEXPORT_ES6 \
              -sUSE_ES6_IMPORT_META=1 -sENVIRONMENT=web -sEXPORT_NAME=loadHarness -sFORCE_FILESYSTEM \
              -sEXPORTED_RUNTIME_METHODS=FS,ccall,UTF8ToString \
              -sINCOMING_MODULE_JS_API=canvas,print,printErr,locateFile,noInitialRun
@@ -470,12 +474,13 @@ web: ## build the programs for a browser in build/web/ (installs Emscripten)
 	@.make/web.sh
 
 test-web: ready site build/tests/compare ## test and measure the programs in Chromium and Firefox, without a display, on Mesa's software renderer
+	@.make/setup.sh browsers
 	@JOBS=2 tests/run web
 
 # The npm packages of docs/web/, in the versions of its lock file.
 build/node/package-lock.json: docs/web/package.json docs/web/package-lock.json
 	@mkdir -p $(@D) && cp $^ $(@D)/
-	$(call say,npm ci) npm ci --prefix $(@D) --ignore-scripts --no-audit --no-fund --silent
+	$(call say,npm ci) npm ci --prefix $(@D) --ignore-scripts --no-audit --no-fund --loglevel=error >/dev/null
 	@touch $@
 
 windows: ## cross-compile the programs for Windows in build/windows/, on Debian (installs a cross compiler)

@@ -37,11 +37,11 @@ local function picture(element)
 end
 
 local function paragraph(element)
-    local image = pages.figure(element)
-    if image then
+    local figure = pages.figure(element)
+    return figure and pandoc.walk_block(figure, {Image = function(image)
         image.attributes.width = '88%'
-        return pandoc.Para({image})
-    end
+        return image
+    end})
 end
 
 -- A displayed formula that is wider than the page is scaled down.

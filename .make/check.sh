@@ -65,7 +65,7 @@ describe() { # SHADER OPTIONS X,Y
 # Print where to look, below the message about a wrong picture.
 look() { # FILE OPTIONS PLACE N
     printf '%s\n' "  look at yours: $program --shader $(quoted "$1")${shown:+ $shown}"
-    echo "  your pixel $3: $(describe "$1" "$2" "$3")"
+    echo "  your pixel $3 from the lower left: $(describe "$1" "$2" "$3")"
     if [ -e "$solution" ]; then
         echo "  the solution's: $(describe "$solution" "$2" "$3")"
     else
@@ -317,7 +317,7 @@ judge() { # FILE
         put_alone "$file"
         source=$scratch/alone/${file##*/} difference=$work/$checked.difference.png see=
     else
-        see=": see $folder/$difference" difference=$work/$difference
+        see=": see $folder/$difference (lighter than grey where yours is brighter)" difference=$work/$difference
         mkdir -p "$(dirname "$difference")" 2>/dev/null || { echo 'its path is too long, or the disk is full'; return 1; }
     fi
     if [[ $solution == *.diff ]]; then

@@ -13,23 +13,26 @@
 # .devcontainer/devcontainer.json and then, in the course for students, the commands of its workflow with a right answer
 # and a check of a wrong one.
 #
+# A fourth kind, also with ALL=1, runs `make test-web`: it builds the site with the release's own Emscripten and pandoc,
+# and tests it in the release's own browsers.
+#
 # A try sees nothing of this machine: it has its own mount and process namespaces, its own /proc and terminals, and
 # its own tmpfs on /dev/shm. /dev is never mounted; its files are nodes in the root file system. Both namespaces end
 # with this script, and the mounts with them.
 #
-# Environment: TRIES, a list of RELEASE:root, RELEASE:reader and RELEASE:cloud, by default the first two on Debian 12
-# and 13, and with ALL=1 the third on Debian 13; SID=1, to add the first two on sid, whose failures are printed but do
-# not count; MIRROR, Debian's mirror, by default the one that this machine's apt uses; XDG_CACHE_HOME, the folder for
-# the archives, by default ~/.cache.
+# Environment: TRIES, a list of RELEASE:root, RELEASE:reader, RELEASE:cloud and RELEASE:web, by default the first two on
+# Debian 12 and 13, and with ALL=1 the others on Debian 13; SID=1, to add the first two on sid, whose failures are
+# printed but do not count; MIRROR, Debian's mirror, by default the one that this machine's apt uses; XDG_CACHE_HOME, the
+# folder for the archives, by default ~/.cache.
 set -u
 export LC_ALL=C
 
-tries=${TRIES:-bookworm:root bookworm:reader trixie:root trixie:reader${ALL:+ trixie:cloud}}
+tries=${TRIES:-bookworm:root bookworm:reader trixie:root trixie:reader${ALL:+ trixie:cloud trixie:web}}
 [ -z "${SID-}" ] || tries="$tries sid:root sid:reader"
 for try in $tries; do
     case $try in
-    *?:root | *?:reader | *?:cloud) ;;
-    *) echo "make test-fresh: TRIES=$try: must be RELEASE:root, RELEASE:reader or RELEASE:cloud" >&2; exit 2 ;;
+    *?:root | *?:reader | *?:cloud | *?:web) ;;
+    *) echo "make test-fresh: TRIES=$try: must be RELEASE:root, RELEASE:reader, RELEASE:cloud or RELEASE:web" >&2; exit 2 ;;
     esac
 done
 archives=${XDG_CACHE_HOME:-$HOME/.cache}/ray-marching/fresh
@@ -232,14 +235,16 @@ for try in $tries; do
     release=${try%:*} user=${try#*:}
     log=$logs/$release-debootstrap.log
     archive "$release" || { verdict 1 "$release" - 'debootstrap' "see $log"; continue; }
-    [ "$user" != cloud ] || user=root
+    case $user in cloud | web) user=root ;; esac
     unpack "$release" "$user" || { verdict 1 "$release" "$user" 'unpacking' "$archives/$release.tar.gz, $root"; continue; }
-    if [ "${try#*:}" = cloud ]; then
-        cloud "$release"
-    else
+    case ${try#*:} in
+    cloud) cloud "$release" ;;
+    web) step "$release" web 'make test-web' within "$root" root 'cd course && make test-web' ;;
+    *)
         { [ "$user" = root ] || step "$release" reader 'one command for root' hand_over "$release"; } &&
             two_commands "$release" "$user"
-    fi
+        ;;
+    esac
     rm -rf --one-file-system "$root"
 done
 echo "$passed passed, $failed failed, $skipped skipped"

@@ -112,7 +112,7 @@ function keys(    command, line, rows, listed, key, meaning)
     return rows == "" ? "" : "| key | what it does |\n| --- | --- |\n" rows
 }
 
-# The time for the page, at 200 words of the story or 100 words of the proofs per minute: first without and then with
+# The time for the page, at 200 words of the story or 100 words of the proofs per minute: first with and then without
 # the minutes that words.awk gives for figures, questions, formulas and listings.
 function time(    command, line, word)
 {
@@ -120,8 +120,8 @@ function time(    command, line, word)
     command | getline line
     close(command)
     split(line, word, " ")
-    return "**Time.** " minutes(word[1], 200) " minutes to read, " minutes(word[1] + 200 * word[3], 200) \
-        " with its figures and questions" (word[2] ? ", and " minutes(word[2], 100) " more for the proofs" : "") ".\n"
+    return "**Time.** " minutes(word[1] + 200 * word[3], 200) " minutes with its figures and questions, " \
+        minutes(word[1], 200) " if you only read" (word[2] ? ", and " minutes(word[2], 100) " more for the proofs" : "") ".\n"
 }
 
 # ---- The page ----

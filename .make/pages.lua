@@ -26,13 +26,15 @@ local function only(block, kind)
     return inline and inline.t == kind and inline or nil
 end
 
--- The picture of a paragraph that contains nothing else, or nil. Its caption is the alternative text, unless
--- pages.captioned has found another.
+-- The figure with the picture of a paragraph that contains nothing else, or nil. Its caption is the alternative text,
+-- unless pages.captioned has found another. Before version 3, pandoc had no figures, only pictures with such a title.
 function pages.figure(paragraph)
     local image = only(paragraph, 'Image')
-    if image then
+    if image and pandoc.Figure then
+        return pandoc.Figure({pandoc.Plain({image})}, {long = {pandoc.Plain(image.caption)}})
+    elseif image then
         image.title = 'fig:' .. image.title
-        return image
+        return pandoc.Para({image})
     end
 end
 

@@ -12,7 +12,8 @@ set -u
 if [ -n "${FIGURE-}" ]; then
     if [ ! -f "chapters/figures/$FIGURE.frag" ]; then
         report "FIGURE=$FIGURE: no such figure: the figures are"
-        for file in chapters/figures/*.frag; do printf '  %s\n' "$(basename "$file" .frag)" >&2; done
+        for file in chapters/figures/*.frag; do printf '%s ' "$(basename "$file" .frag)"; done | fold -s -w 100 >&2
+        echo >&2
         exit 1
     fi
     CHAPTER=${FIGURE%%_*}

@@ -1,12 +1,13 @@
 #!/bin/sh
 # setup.sh [--check|--all] SET... - make sure that this machine has everything that the sets need.
 #
-# Sets: run (build and render), test, lint, fuzz, book, web (the programs in a browser), windows (the cross build), wine
-# (to test the cross build), student (the course for students), film, fresh (bare machines to test on).
+# Sets: run (build and render), test, lint, fuzz, book, web (the programs in a browser), browsers (to test them), windows
+# (the cross build), wine (to test the cross build), student (the course for students), film, fresh (bare machines to test
+# on).
 #
 # If nothing is missing, this script only looks for files and commands, and uses neither the network nor the package
-# manager. As root, it installs whatever is missing. With a terminal, it says what it will install, and installs it with
-# sudo, which asks for the password, or with Homebrew or MSYS2, which need no special rights. Otherwise it prints one
+# manager. As root, it installs whatever is missing. With a terminal, or where sudo needs no password, it says what it
+# installs, and installs it with sudo, or with Homebrew or MSYS2, which need no special rights. Otherwise it prints one
 # command and fails.
 #   --check  install nothing
 #   --all    also install packages that are useful but not required
@@ -198,9 +199,6 @@ need_web() {
     need 'Emscripten' 'emscripten|emscripten|emscripten|emscripten' has_command emcc
     need 'Node.js' 'nodejs|nodejs|nodejs|node' has_command node
     need 'npm' 'npm|nodejs-npm|npm|node' has_command npm
-    need 'Chromium' 'chromium|chromium|chromium|-' has_command chromium
-    need 'Firefox' 'firefox-esr|firefox|firefox|-' has_firefox
-    need 'a virtual display' 'xvfb xauth|xorg-x11-server-Xvfb|xorg-server-xvfb|-' has_command xvfb-run
     need 'pandoc' 'pandoc|pandoc|pandoc|pandoc' has_command pandoc
     need 'the font of the pages' 'fonts-texgyre fontconfig|texlive-tex-gyre|-|-' has_font 'TeX Gyre Pagella'
     need 'the font of formulas' 'fonts-texgyre-math|texlive-tex-gyre-math|-|-' has_font 'TeX Gyre Pagella Math'
@@ -208,6 +206,14 @@ need_web() {
         has_command pyftsubset
     need 'cwebp (small pictures)' 'webp|libwebp-tools|libwebp|webp' has_command cwebp
     need 'zip' 'zip|zip|zip|zip' has_command zip
+}
+
+# The programs and the site are tested in browsers.
+need_browsers() {
+    need_web
+    need 'Chromium' 'chromium|chromium|chromium|-' has_command chromium
+    need 'Firefox' 'firefox-esr|firefox|firefox|-' has_firefox
+    need 'a virtual display' 'xvfb xauth|xorg-x11-server-Xvfb|xorg-server-xvfb|-' has_command xvfb-run
 }
 
 # The cross build for Windows works only on Debian, because the libraries are built from its source packages.
@@ -259,10 +265,11 @@ look() {
         fresh) need_fresh ;;
         student) need_student ;;
         web) need_web ;;
+        browsers) need_browsers ;;
         windows) need_windows ;;
         wine) need_wine ;;
         *)
-            printf 'setup.sh: %s: no such set: the sets are run, test, lint, fuzz, book, web, windows, wine, student, film and fresh\n' "$set" >&2
+            printf 'setup.sh: %s: no such set: the sets are run, test, lint, fuzz, book, web, browsers, windows, wine, student, film and fresh\n' "$set" >&2
             exit 2
             ;;
         esac
@@ -352,17 +359,21 @@ fi
 
 # Homebrew and MSYS2 belong to the person who installed them, so they need no special rights.
 is_own() { [ "$manager" = brew ] || [ "$column" = 5 ]; }
-can_sudo() { [ -t 0 ] && [ -t 2 ] && command -v sudo >/dev/null; }
+can_sudo() {
+    command -v sudo >/dev/null || return
+    if [ -t 0 ] && [ -t 2 ]; then return; fi
+    sudo -n true 2>/dev/null
+}
 
 if [ "$mode" = install ] && ! is_own && [ "$(id -u)" = 0 ]; then
-    printf 'setup: installing %s (%s: %s)\n' "$purposes" "$manager" "$packages"
+    printf 'setup: installing %s, which takes a minute or two (%s: %s)\n' "$purposes" "$manager" "$packages"
     carry_out ''
 elif [ "$mode" = install ] && ! is_own && can_sudo; then
-    printf 'setup: %s will be installed (sudo %s: %s)\n' "$purposes" "$manager" "$packages"
+    printf 'setup: installing %s, which takes a minute or two (sudo %s: %s)\n' "$purposes" "$manager" "$packages"
     sudo -v || exit 1
     carry_out sudo
 elif [ "$mode" = install ] && is_own && [ -t 0 ] && [ "$(id -u)" != 0 ]; then
-    printf 'setup: installing %s (%s: %s)\n' "$purposes" "$manager" "$packages"
+    printf 'setup: installing %s, which takes a minute or two (%s: %s)\n' "$purposes" "$manager" "$packages"
     carry_out ''
 else
     lacks=$purposes

@@ -11,6 +11,7 @@ target=${SITE_FOLDER:-build/site} source=${SITE_SOURCE:-docs/web} web=${WEB_FOLD
 begin "$(dirname "$target")"
 name=$(basename "$target")
 out=$new/$name
+echo "pages $target/"
 mkdir -p "$out/fonts"
 # shellcheck disable=SC2046
 node "$source/site.mjs" "$out" $(pages)
@@ -21,7 +22,7 @@ node "$source/site.mjs" "$out" $(pages)
     cp "$web/$file" "$out/$file"
 done
 # Every page with figures loads these files, so they are minified.
-build/node/node_modules/.bin/esbuild "$source"/sheet{,_parts,_space}.js "$source/sheet.css" --minify --log-level=warning --outdir="$out"
+build/node/node_modules/.bin/esbuild "$source"/sheet{,_parts,_space,_rest}.js "$source/sheet.css" --minify --log-level=warning --outdir="$out"
 cp "$source"/{site.css,site.js,find.js,guess.js,question.js,progress.js,play.js,dropped.js,edits.js,icon.svg} "$out/"
 cp "$source/LICENSE.fonts" "$out/fonts/LICENSE.txt"
 

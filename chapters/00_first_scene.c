@@ -9,7 +9,7 @@ int main(int argc, char **argv)
 {
     const struct chapter chapter = {
         .stem = "00_first_scene",
-        .title = "00 First scene (the camera moves by itself)",
+        .title = "00 First scene",
         .shows = "A lamp in the frame of a box: a complete ray marcher in one file.",
         .camera = {.position = {0.0f, 0.0f, 0.0f}},
     };

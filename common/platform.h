@@ -114,8 +114,7 @@ enum platform_display platform_display(void);
 void platform_watch_display(void (*lost)(const char *what));
 
 // Open a file in the user's editor, $VISUAL or $EDITOR, or in the program that the system uses for
-// it, and do not wait. A message on standard error says if there is none. Returns false if no
-// program can be started here.
+// it, and do not wait. Returns false if there is none, or if no program can be started here.
 bool platform_edit(const char *path);
 
 // ---- Crashes and memory ----

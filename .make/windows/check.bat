@@ -71,7 +71,7 @@ for /f "usebackq delims=" %%w in ("%folder%\said.txt") do if not defined place s
 for /f "usebackq skip=2 delims=" %%w in ("%folder%\said.txt") do echo "%given%": wrong: %%w
 echo   see difference.png, yours.png and solution.png in %folder%
 echo   look at yours: .\%program% --shader "%file%" %shown%
-call :ray "your pixel %place%" "%file%"
+call :ray "your pixel %place% from the lower left" "%file%"
 call :ray "the solution's" "%solution%"
 goto :eof
 :ray

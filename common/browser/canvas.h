@@ -33,7 +33,4 @@ void live_focus(int focused);
 // stopped.
 void live_hide(int hidden);
 
-// True if the driver cannot blend into 32-bit float targets, so that half floats are used instead.
-int live_halves(void);
-
 #endif

@@ -42,7 +42,7 @@ struct GLFWcursor {
 
 static struct {
     struct GLFWwindow window;
-    bool open, hidden, cleared, half, threads;
+    bool open, hidden, cleared, threads;
     int size[2], pixels[2]; // of the canvas in CSS pixels; of its drawing buffer in pixels
     double hidden_at, away; // seconds: start of the last hidden period; total of the earlier ones
     const char *why;        // reason for the last failure
@@ -78,6 +78,12 @@ static void draw(GLenum mode, GLint first, GLsizei count)
 static void blit(GLint left, GLint bottom, GLint right, GLint top, GLint to_left, GLint to_bottom,
                  GLint to_right, GLint to_top, GLbitfield mask, GLenum filter)
 {
+    if (drawn() == 0 &&
+        page_draws_copy((const int[]){left, bottom, right, top},
+                        (const int[]){to_left, to_bottom, to_right, to_top}, (int)filter) != 0) {
+        web.cleared = true;
+        return;
+    }
     if (drawn() == 0 && !web.cleared) {
         glClear(GL_COLOR_BUFFER_BIT);
         web.cleared = true;
@@ -94,16 +100,6 @@ static void get_program(GLuint program, GLenum name, GLint *value)
         glGetProgramiv(program, name, value);
 }
 
-// The renderer draws with blending. If the driver cannot blend into 32-bit float targets, half
-// floats are used instead.
-static void tex_image(GLenum target, GLint level, GLint form, GLsizei width, GLsizei height,
-                      GLint border, GLenum format, GLenum type, const void *pixels)
-{
-    if (form == GL_RGBA32F && web.half)
-        form = GL_RGBA16F;
-    glTexImage2D(target, level, form, width, height, border, format, type, pixels);
-}
-
 GLFWglproc glfwGetProcAddress(const char *name)
 {
     static const struct {
@@ -112,8 +108,7 @@ GLFWglproc glfwGetProcAddress(const char *name)
     } ours[] = {{"glFinish", (GLFWglproc)finish},
                 {"glBlitFramebuffer", (GLFWglproc)blit},
                 {"glDrawArrays", (GLFWglproc)draw},
-                {"glGetProgramiv", (GLFWglproc)get_program},
-                {"glTexImage2D", (GLFWglproc)tex_image}};
+                {"glGetProgramiv", (GLFWglproc)get_program}};
     for (size_t i = 0; i < sizeof ours / sizeof *ours; i++)
         if (strcmp(name, ours[i].name) == 0)
             return ours[i].function;
@@ -123,11 +118,6 @@ GLFWglproc glfwGetProcAddress(const char *name)
     GL_FUNCTIONS(WEB_FIND)
 #undef WEB_FIND
     return NULL;
-}
-
-int live_halves(void)
-{
-    return web.half;
 }
 
 // ---- The window ----
@@ -148,7 +138,6 @@ GLFWwindow *glfwCreateWindow(int width, int height, const char *title, GLFWmonit
         return NULL;
     }
     web.window = (struct GLFWwindow){.focused = web.window.focused};
-    web.half = !page_blends_floats();
     web.threads = page_has_threads() != 0;
     return &web.window;
 }

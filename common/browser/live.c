@@ -325,6 +325,9 @@ void live_time(double time)
 {
     if (window() == NULL || !(time == time))
         return;
+    // Kept frames begin again at another time; the time of each follows from that of frame 0.
+    if (time != window()->inputs.time)
+        window()->inputs.begin = time;
     window()->inputs.time = time;
     change();
 }

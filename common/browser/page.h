@@ -11,8 +11,10 @@ int page_open_context(void);
 
 void page_close_context(void);
 
-// True if the driver can blend into 32-bit float targets (EXT_float_blend).
-int page_blends_floats(void);
+// Copy a rectangle of the bound target to one of the canvas if the driver has only half floats,
+// from which WebGL cannot blit to the canvas. Returns 0 if it can.
+//   from, to  left, bottom, right, top
+int page_draws_copy(const int from[4], const int to[4], int filter);
 
 // True if the driver may compile on separate threads (KHR_parallel_shader_compile).
 int page_has_threads(void);

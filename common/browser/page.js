@@ -19,8 +19,33 @@ mergeInto(LibraryManager.library, {
         if (Module['handle']) GL.deleteContext(Module['handle']);
         Module['handle'] = 0;
     },
-    page_blends_floats: function () {
-        return GLctx.getExtension('EXT_float_blend') ? 1 : 0;
+    page_draws_copy: function (from, to, filter) {
+        const gl = GLctx, rectangle = (at) => HEAP32.subarray(at >> 2, (at >> 2) + 4);
+        const [left, bottom, right, top] = rectangle(from), [x, y, x2, y2] = rectangle(to);
+        if (gl.getExtension('EXT_color_buffer_float')) return 0;
+        if (!gl.isProgram(Module['copier'])) {
+            const program = Module['copier'] = gl.createProgram();
+            [[gl.VERTEX_SHADER, 'void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }'],
+            [gl.FRAGMENT_SHADER, 'uniform highp sampler2D picture; uniform vec4 map; out vec4 colour; void main() { colour = texture(picture, (gl_FragCoord.xy * map.xy + map.zw) / vec2(textureSize(picture, 0))); }']].forEach(([kind, text]) => {
+                const shader = gl.createShader(kind);
+                gl.shaderSource(shader, `#version 300 es\nprecision highp float;\n${text}`);
+                gl.compileShader(shader);
+                gl.attachShader(program, shader);
+                gl.deleteShader(shader);
+            });
+            gl.linkProgram(program);
+        }
+        const program = Module['copier'], across = (right - left) / (x2 - x), up = (top - bottom) / (y2 - y);
+        gl.useProgram(program);
+        gl.uniform4f(gl.getUniformLocation(program, 'map'), across, up, left - across * x, bottom - up * y);
+        gl.bindVertexArray(null);
+        gl.bindTexture(gl.TEXTURE_2D, gl.getFramebufferAttachmentParameter(gl.READ_FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
+        gl.viewport(x, y, x2 - x, y2 - y);
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
+        gl.bindTexture(gl.TEXTURE_2D, null);
+        return 1;
     },
     page_has_threads: function () {
         return GLctx.getExtension('KHR_parallel_shader_compile') ? 1 : 0;

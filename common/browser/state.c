@@ -5,7 +5,9 @@
 #include "browser/canvas.h"
 #include "json.h"
 #include "picture/comparison.h"
+#include "picture/passes.h"
 #include "report.h"
+#include "window/frames.h"
 #include "window/state.h"
 #include "window/stroke.h"
 #include "window/window.h"
@@ -81,6 +83,15 @@ static void write_handles(struct json *json, const struct window *window)
     json_end(json, ']');
 }
 
+static void write_kept(struct json *json, const struct window *window)
+{
+    json_begin(json, "kept", '{');
+    json_number(json, "frame", window->inputs.frame, -1);
+    json_number(json, "last", window_last_frame(window), -1);
+    json_flag(json, "halves", passes_halves(window->renderer));
+    json_end(json, '}');
+}
+
 static void write_window(struct json *json, const struct window *window)
 {
     const struct renderer *renderer = window->renderer;
@@ -100,7 +111,9 @@ static void write_window(struct json *json, const struct window *window)
     write_numbers(json, "pixel", 2, (const double[]){inputs->pixel[0], inputs->pixel[1]});
     json_number(json, "shown", floor((double)inputs->shown), -1);
     json_text(json, "why", inputs->pixel[0] >= 0 ? window->ray.why : "");
-    json_flag(json, "halves", live_halves() != 0);
+    json_flag(json, "halves", renderer->picture.format == GL_RGBA16F);
+    if (window_keeps(window))
+        write_kept(json, window);
     // Only a shader in the course's dialect has views other than the picture.
     int views = renderer->fragment.dialect == DIALECT_COURSE ? SHADER_VIEW_COUNT : VIEW_PICTURE + 1;
     json_begin(json, "views", '[');

@@ -24,6 +24,9 @@ enum { STATE_NAME = 160 }; // bytes of a parameter's name, such as "factor (righ
 //   shown, why            how many steps of the selected ray are shown, 0 for all; why it has no
 //                         march
 //   halves                whether float targets contain half floats
+//   kept                  only if the shader keeps frames: the frame that is shown; the last one,
+//   at
+//                         which they stop, or -1; halves, whether they are kept in half floats
 //   views                 the names of the views, in the order of their numbers
 //   files                 the paths of the shader's files
 //   parameters            of both pictures of a comparison, as the panel lists them: name, type,

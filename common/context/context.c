@@ -132,10 +132,13 @@ bool context_open_offscreen(struct context *context, enum context_backend wanted
     if (reasons[0] == '\0')
         report_not_built_in(wanted);
     else
-        report("OpenGL %d.%d: no context: %s: update the graphics driver or %s%s", GL_NEEDED_MAJOR,
-               GL_NEEDED_MINOR, reasons,
-               wanted == CONTEXT_ANY ? "install Mesa (make setup)" : "try another --backend",
-               memory_limit());
+        report(
+            "OpenGL %d.%d: no context: %s: update the graphics driver or %s%s", GL_NEEDED_MAJOR,
+            GL_NEEDED_MINOR, reasons,
+            wanted == CONTEXT_ANY
+                ? "install Mesa (make setup), which draws in software with LIBGL_ALWAYS_SOFTWARE=1"
+                : "try another --backend",
+            memory_limit());
     return false;
 }
 
@@ -164,10 +167,10 @@ bool context_open_window(struct context *context, enum context_backend wanted, c
         context->window = state;
         return load(context);
     }
-    return report(
-        "window with OpenGL %d.%d: cannot be opened: %s: try another display or driver, or render "
-        "without a window with --output FILE.png%s",
-        GL_NEEDED_MAJOR, GL_NEEDED_MINOR, why, memory_limit());
+    return report("window with OpenGL %d.%d: cannot be opened: %s: try another display, Mesa's "
+                  "software driver "
+                  "(LIBGL_ALWAYS_SOFTWARE=1), or a file (--output FILE.png)%s",
+                  GL_NEEDED_MAJOR, GL_NEEDED_MINOR, why, memory_limit());
 }
 
 void context_close(struct context *context)

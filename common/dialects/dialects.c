@@ -114,14 +114,19 @@ static bool writes(const struct glsl *code)
     return glsl_mentions(code, "gl_FragColor") + glsl_mentions(code, "gl_FragData") > 0;
 }
 
-// Print a warning, and keep the first one. Frees why.
-static void warn(struct shader_source *source, int line, char *why)
+// Print a warning, unless this was done before, perhaps for another pass. Frees why.
+//   input  the warning is about an input, and the first such one is kept
+static void warn(struct shader_source *source, int line, bool input, char *why)
 {
-    shader_refuse(source, line, "warning: %s", why);
-    if (source->unset != NULL)
-        free(why);
-    else
-        source->unset = why;
+    char *before = source->warned;
+    if (before == NULL || strstr(before, why) == NULL) {
+        shader_refuse(source, line, "warning: %s", why);
+        source->warned = memory_text("%s%s\n", before != NULL ? before : "", why);
+        free(before);
+    }
+    if (input && source->unset == NULL)
+        source->unset = memory_text("%s", why);
+    free(why);
 }
 
 // Warn that nothing sets a uniform or a block, and say how to give it a value.
@@ -155,7 +160,7 @@ static void warn_of(struct shader_source *source, const struct declared *at)
                                                             "not supported"
                                                           : "nothing sets it; give it a value "
                                                             "where it is declared");
-    warn(source, at->name->line, why);
+    warn(source, at->name->line, true, why);
 }
 
 // Warn of the samplers without a picture that the program reads, and of the sizes of such pictures.
@@ -164,7 +169,7 @@ static void warn_of_black(struct shader_source *source, const struct gl *gl, GLu
     for (int i = 0; i < source->sampler_count; i++) {
         const struct shader_sampler *s = &source->samplers[i];
         if (!sampler_has_picture(source, s) && gl->GetUniformLocation(program, s->name) >= 0)
-            warn(source, s->line, tool_inputs_why_black(source, s));
+            warn(source, s->line, true, tool_inputs_why_black(source, s));
     }
     for (int i = 0; i < source->input_count; i++) {
         const struct input *input = source->inputs[i].input;
@@ -172,7 +177,7 @@ static void warn_of_black(struct shader_source *source, const struct gl *gl, GLu
         bool sizes = input->meaning == INPUT_CHANNEL_SIZE && source->unset == NULL &&
                      !tool_inputs_has_size(source, input);
         if ((silent || sizes) && gl->GetUniformLocation(program, input->name) >= 0)
-            warn(source, glsl_find(&source->code, input->name)->line,
+            warn(source, glsl_find(&source->code, input->name)->line, true,
                  memory_text("%s is 0: %s", input->name,
                              silent ? input->text : "no channel has a picture"));
     }
@@ -195,22 +200,22 @@ static void warn_of_unset(struct shader_source *source)
 }
 
 // Warn of smoothstep with two equal edges, which divides by 0.
-static void warn_of_edges(const struct shader_source *source)
+static void warn_of_edges(struct shader_source *source)
 {
     const struct glsl_token *t = NULL;
     while ((t = glsl_find_next(&source->code, t, "smoothstep")) != NULL)
         if (t[1].sign == '(' && t[2].kind == GLSL_NUMBER && t[3].sign == ',' &&
             t[4].kind == GLSL_NUMBER && t[4].name == t[2].name && t[5].sign == ',')
-            shader_refuse(source, t->line,
-                          "warning: smoothstep(%s, %s, ...) divides by 0, and drivers draw it "
-                          "differently: write step(%s, ...)",
-                          t[2].text, t[4].text, t[2].text);
+            warn(source, t->line, false,
+                 memory_text("smoothstep(%s, %s, ...) divides by 0, and drivers draw it "
+                             "differently: write step(%s, ...)",
+                             t[2].text, t[4].text, t[2].text));
 }
 
 static bool accept(struct shader_source *source, const struct gl *gl, GLuint program)
 {
     const struct glsl *code = &source->code;
-    if (source->dialect != DIALECT_COURSE && source->unset == NULL) {
+    if (source->dialect != DIALECT_COURSE) {
         warn_of_black(source, gl, program);
         warn_of_unset(source);
         warn_of_edges(source);

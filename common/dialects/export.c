@@ -354,8 +354,8 @@ char *export_file(struct shader_source *source, const struct parameters *paramet
         return NULL;
     }
     if (source->pass_count > 0) {
-        report("%s: an export of several passes: leave out =shadertoy to print the code of its "
-               "picture",
+        report("%s: has several passes, and an export has one: leave out =shadertoy to print the "
+               "code of the picture",
                source->files[0]);
         return NULL;
     }

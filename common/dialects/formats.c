@@ -42,7 +42,7 @@ static const struct format {
     {"#info #group #preset #donotrun", "a shader for Fragmentarium", "give it a main that marches DE, as chapters/00_first_scene.frag does"},
     {"`", "JavaScript, because it has backquotes", COPY},
     {"\"", "a program, because it has strings", COPY},
-    {"{PASSES", "a file with several passes, as its first comment shows", "only a single pass can be drawn"},
+    {"{PASSES", "a file with several passes, as its first comment shows", "only those of Shadertoy and glslViewer are drawn"},
     {"isf_vertShaderInit", "a vertex shader for ISF", FRAGMENT},
     {"gl_GlobalInvocationID local_size_x", "a compute shader", FRAGMENT},
     {"EmitVertex", "a geometry shader", FRAGMENT},

@@ -11,7 +11,7 @@
 // The position in the picture, as fractions of its width and height.
 #define SHARE "0.5 * harnessPosition / vec2(iResolution.x / iResolution.y, 1.0) + 0.5"
 #define SOUND "there is no sound here"
-#define SELF  "there is no earlier picture here"
+#define SELF  "there is no earlier pass here"
 #define MIDI  "there is no MIDI here"
 
 // The table of inputs.
@@ -24,6 +24,7 @@
 #define CHANNEL(name, channel) {name, "sampler2D", INPUT_CHANNEL, channel, ""}
 #define POSITION(name, value)     {name, "vec2", INPUT_POSITION, 0, value}
 #define SILENT(name, why)      {name, "sampler2D", INPUT_SILENT, 0, why}
+#define LAST(name, filter)     {name, "sampler2D", INPUT_LAST, 0, filter}
 
 // Inputs that only Shadertoy has.
 static const struct input toys[] = {
@@ -49,8 +50,8 @@ static const struct input rows[] = {
     FLOAT("frame", FRAME), VEC4("date", DATE),
     POSITION("surfacePosition", "0.5 * harnessPosition"),
     CHANNEL("texture0", 0), CHANNEL("texture1", 1), CHANNEL("texture2", 2),
-    CHANNEL("texture3", 3), SILENT("backbuffer", SELF), SILENT("prevFrame", SELF),
-    SILENT("prevPass", SELF), SILENT("prevBuffer", SELF), SILENT("spectrum", SOUND),
+    CHANNEL("texture3", 3), LAST("backbuffer", "n"), LAST("prevFrame", "n"),
+    SILENT("prevPass", SELF), LAST("prevBuffer", "n"), SILENT("spectrum", SOUND),
     SILENT("samples", SOUND),
     {"volume", "float", INPUT_SILENT, 0, SOUND}, {"sound", "float", INPUT_SILENT, 0, SOUND},
     SILENT("midi", MIDI), SILENT("note", MIDI), SILENT("key", "there is no keyboard here"),
@@ -59,7 +60,7 @@ static const struct input rows[] = {
     FLOAT("fGlobalTime", TIME), VEC2("v2Resolution", SIZE), FLOAT("fFrameTime", STEP),
     {"texFFT", "sampler1D", INPUT_SILENT, 0, SOUND},
     {"texFFTSmoothed", "sampler1D", INPUT_SILENT, 0, SOUND},
-    {"texFFTIntegrated", "sampler1D", INPUT_SILENT, 0, SOUND}, SILENT("texPreviousFrame", SELF),
+    {"texFFTIntegrated", "sampler1D", INPUT_SILENT, 0, SOUND}, LAST("texPreviousFrame", "lr"),
     POSITION("out_texcoord", SHARE),
     // Three.js, p5.js and ISF
     FLOAT("uTime", TIME), VEC2("uResolution", SIZE), VEC2("uMouse", POINTER),
@@ -220,6 +221,6 @@ bool tool_inputs_refuse(const struct shader_source *source, const struct input *
         return shader_refuse(source, line,
                              "%s is not supported: %s: compute the value in the shader",
                              input->name, input->text);
-    return shader_refuse(source, line, "%s is read as %s, which is not supported here", input->name,
+    return shader_refuse(source, line, "%s is read as %s, which is not in this file", input->name,
                          kind_of(source, input->channel)->words);
 }

@@ -54,7 +54,9 @@ static char *driver_prelude(const struct translation *t, const char *inputs, con
         fprintf(text, "#version %d core\n%s", version < 450 ? version : 450, extensions);
     else
         fprintf(text, GL_GLSL_WITH("%s%s"),
-                GL_IS_ES ? "" : "#extension GL_ARB_shading_language_420pack : enable\n",
+                GL_IS_ES ? ""
+                         : "#extension GL_ARB_shading_language_420pack : enable\n"
+                           "#extension GL_ARB_shading_language_packing : enable\n",
                 extensions);
     if (t->toy)
         fputs("#define HW_PERFORMANCE 1\n", text);

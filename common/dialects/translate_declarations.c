@@ -64,7 +64,9 @@ static bool add_sampler(struct translation *t, const char *name, const struct in
                         int line)
 {
     const char *type = input != NULL ? tool_inputs_sampler(t->source, input) : "sampler2D";
-    int channel = input != NULL ? input->channel : free_channel(t);
+    int channel = input != NULL                             ? input->channel
+                  : shader_read_of(t->source, name) != NULL ? -1
+                                                            : free_channel(t);
     channel = inputs_add_sampler(t->source, (struct shader_sampler){name, type, channel, line});
     return channel >= 0 || !t->exported ||
            shader_refuse(t->source, line, "%s: a fifth picture: Shadertoy has four channels", name);
@@ -80,10 +82,22 @@ static void add_sizes(struct translation *t, const struct input *size)
             add_sampler(t, input->name, input, 0);
 }
 
+// Let the file have one pass, which draws the same text for the next frame.
+static void read_last_picture(struct shader_source *source, const struct input *input)
+{
+    struct shader_read *read = &source->links.read[0];
+    snprintf(read->name, sizeof read->name, "%s", input->name);
+    read->filter = input->text[0];
+    read->pass = source->pass_count = 1;
+    source->links.shown = true;
+    source->links.repeat = input->text[1] == 'r';
+}
+
 static bool take_sampler(struct translation *t, struct declared *at, const struct input *input)
 {
     bool used = is_used(at), channel = input != NULL && input->meaning == INPUT_CHANNEL;
-    bool silent = input != NULL && input->meaning == INPUT_SILENT;
+    bool last = used && input != NULL && input->meaning == INPUT_LAST;
+    bool silent = input != NULL && input->meaning >= INPUT_SILENT && !last;
     bool plain = glsl_is(at->type, "sampler2D") && !declared_is_array(at);
     int line = at->name->line;
     if (t->web && glsl_is(at->type, "sampler1D"))
@@ -100,6 +114,8 @@ static bool take_sampler(struct translation *t, struct declared *at, const struc
                              at->type->text, at->word, declared_is_array(at) ? "[]" : "", at->word);
     if (used && (channel ? tool_inputs_lacks(t->source, input) : silent && t->exported))
         return tool_inputs_refuse(t->source, input, line);
+    if (last)
+        read_last_picture(t->source, input);
     if (!silent && plain && !add_sampler(t, at->word, channel ? input : NULL, line))
         return false;
     if (!t->exported)
@@ -323,7 +339,7 @@ void translation_undeclared(struct translation *t)
     for (int i = 0; (input = tool_inputs_row(i)) != NULL; i++) {
         if (glsl_mentions(t->code, input->name) == 0 || glsl_find(t->code, input->name) == NULL ||
             input->meaning == INPUT_POSITION ||
-            (input->meaning == INPUT_SILENT && !tool_inputs_is_shadertoy(input)) ||
+            (input->meaning >= INPUT_SILENT && !tool_inputs_is_shadertoy(input)) ||
             tool_inputs_lacks(t->source, input) || declared_anywhere(t->code, input->name))
             continue;
         bool channel = input->meaning == INPUT_CHANNEL;

@@ -201,6 +201,7 @@ static void take_directive(struct translation *t, const struct glsl_token *hash)
                                        "GL_ARB_uniform_buffer_object",
                                        "GL_OES_texture_3D",
                                        "GL_ARB_shading_language_420pack",
+                                       "GL_ARB_shading_language_packing",
                                        "GL_OES_texture_float",
                                        "GL_OES_texture_float_linear",
                                        NULL};

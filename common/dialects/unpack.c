@@ -149,8 +149,7 @@ static int buffer_of(const struct row *row, const char *input)
 // filter of the second for both.
 static void read_inputs(struct shader_source *source, const struct row *row, const char *pass)
 {
-    int *reads = source->links.reads;
-    char *filter = source->links.filter;
+    struct shader_read *read = source->links.read;
     for (const char *c = first_value(member(pass, "inputs")); c != NULL; c = next_value(c)) {
         const char *number = member(c, "channel"), *kind = member(c, "ctype");
         if (number == NULL || *number < '0' || *number > '3')
@@ -159,14 +158,16 @@ static void read_inputs(struct shader_source *source, const struct row *row, con
         char *was = string(kind != NULL ? kind : member(c, "type"));
         char *how = string(member(member(c, "sampler"), "filter"));
         snprintf(source->was[channel], sizeof source->was[0], "%s", was);
-        reads[channel] = strcmp(was, "buffer") == 0 ? buffer_of(row, c) : 0;
-        filter[channel] = how[0];
+        snprintf(read[channel].name, sizeof read->name, "iChannel%d", channel);
+        read[channel].pass = strcmp(was, "buffer") == 0 ? buffer_of(row, c) : 0;
+        read[channel].filter = how[0];
         free(was);
         free(how);
     }
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < k; i++)
-            filter[i] = reads[i] == reads[k] ? filter[k] : filter[i];
+            if (read[i].pass == read[k].pass)
+                read[i].filter = read[k].filter;
 }
 
 // Find how a buffer is read: its edge is as the last input that names it asks.
@@ -292,6 +293,50 @@ static void unpack_isf(const char *header, const char *text, char *part[2])
     part[1] = memory_text("%s", text);
 }
 
+// ---- glslViewer ----
+
+// True if a directive mentions a word, even where the preprocessor skips the directive.
+static bool asks_for(const struct glsl *code, const char *word)
+{
+    const struct glsl_token *t = code->item;
+    while (t->kind != GLSL_END && !(t->directive && strcmp(t->text, word) == 0))
+        t++;
+    return t->kind != GLSL_END;
+}
+
+// Take a text that is compiled once more for each of its buffers, with the buffer's word defined.
+// The double buffers come last. Returns false for any other text.
+static bool unpack_buffers(struct shader_source *source, const char *text, char *part[2])
+{
+    static const char *const kinds[] = {"", "DOUBLE_"}, *const names[] = {"u_b", "u_doubleB"};
+    struct glsl code;
+    glsl_read(&code, text);
+    for (int kind = 0; kind < 2; kind++)
+        for (int i = 0; source->pass_count < SHADER_PASSES; i++) {
+            struct shader_read *read = &source->links.read[source->pass_count];
+            char *define = memory_text("%sBUFFER_%d", kinds[kind], i);
+            snprintf(read->name, sizeof read->name, "%suffer%d", names[kind], i);
+            bool is = asks_for(&code, define) && glsl_mentions(&code, read->name) > 0;
+            if (is) {
+                read->filter = 'l';
+                read->pass = ++source->pass_count;
+                source->links.repeat = true;
+            }
+            if (is && read->pass == source->request.pass)
+                part[0] = memory_text("#define %s\n", define);
+            free(define);
+            if (!is)
+                break;
+        }
+    glsl_free(&code);
+    if (source->pass_count == 0)
+        return false;
+    part[1] = memory_text("%s", text);
+    if (part[0] == NULL)
+        part[0] = memory_text("%s", "");
+    return true;
+}
+
 bool unpack(struct shader_source *source, const char *text, char *part[2], bool *done)
 {
     *done = formats_check(source->files[0], text);
@@ -304,6 +349,6 @@ bool unpack(struct shader_source *source, const char *text, char *part[2], bool 
     else if (strncmp(root, "/*", 2) == 0 && *header == '{')
         unpack_isf(header, text, part);
     else
-        return false;
+        return unpack_buffers(source, text, part);
     return true;
 }

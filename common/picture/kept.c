@@ -17,13 +17,14 @@ void kept_follow(struct kept *kept, char *key, int frame)
         kept->frames = 0;
 }
 
-bool kept_begin(struct kept *kept, const struct gl *gl, int width, int height)
+bool kept_begin(struct kept *kept, const struct gl *gl, bool bytes, int width, int height)
 {
-    GLenum format = kept->target[0].framebuffer == 0 ? target_format(gl, false) : 0;
+    bool opened = kept->target[0].framebuffer != 0;
+    GLenum format = bytes || opened ? GL_RGBA8 : target_format(gl, false);
     for (int i = 0; i < 2; i++) {
         if (kept->target[i].framebuffer == 0)
             target_open(&kept->target[i], gl, format);
-        if (!target_bind(&kept->target[i], gl, width, height))
+        if (!target_make(&kept->target[i], gl, width, height))
             return false;
         gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
         gl->Clear(GL_COLOR_BUFFER_BIT);

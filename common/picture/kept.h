@@ -1,6 +1,6 @@
-// kept.h - the pictures that one pass keeps from frame to frame: floats of 32 bits, in a pair of
-// targets. Each frame is drawn into the target that the last frame has not used, while it reads the
-// last frame from the other one.
+// kept.h - the pictures that one pass keeps from frame to frame: floats of 32 bits, if the driver
+// can draw into them, or bytes, in a pair of targets. Each frame is drawn into the target that the
+// last frame has not used, while it reads the last frame from the other one.
 #ifndef KEPT_H
 #define KEPT_H
 
@@ -27,8 +27,9 @@ void kept_follow(struct kept *kept, char *key, int frame);
 // Set both targets to 0, before frame 0. Later, no target is cleared: while a frame is drawn, its
 // target still contains the frame before the last. A shader may discard its pixel, and in Shadertoy
 // the pixel then has this value.
-// Returns false after reporting the error if the driver cannot create the targets.
-bool kept_begin(struct kept *kept, const struct gl *gl, int width, int height);
+//   bytes  keep bytes instead of floats
+// Returns false without reporting an error if the driver cannot create the targets.
+bool kept_begin(struct kept *kept, const struct gl *gl, bool bytes, int width, int height);
 
 // Free the pictures.
 void kept_free(struct kept *kept, const struct gl *gl);

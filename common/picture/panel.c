@@ -60,7 +60,7 @@ static float write_error(const struct panel *panel, struct overlay *overlay, flo
 {
     const char *words = words_of(panel);
     const char *heading = words == panel->unset  ? "An input without a value"
-                          : words == panel->note ? "This key does nothing here"
+                          : words == panel->note ? panel->note_heading
                           : panel->broken
                               ? "Error: the last good picture stays until the next good save"
                               : "This cannot be shown";

@@ -47,9 +47,9 @@ static void status_text(const struct panel *panel, bool rated, char text[PANEL_C
     if (rated && panel->milliseconds > 0.0)
         memory_append(text, PANEL_CELL, "    ");
     if (rated && panel->milliseconds > 0.0 && panel->rate > 0.0)
-        memory_append(text, PANEL_CELL, "%.0f fps, ", panel->rate);
-    if (rated && panel->milliseconds > 0.0)
-        memory_append(text, PANEL_CELL, "%.1f ms", panel->milliseconds);
+        memory_append(text, PANEL_CELL, "%.*f fps", panel->rate < 9.95 ? 1 : 0, panel->rate);
+    else if (rated && panel->milliseconds > 0.0)
+        memory_append(text, PANEL_CELL, "drawn in %.1f ms", panel->milliseconds);
     if (panel->timed) {
         memory_append(text, PANEL_CELL, "    time %.1f s", panel->time);
         add_hour(panel, text);
@@ -75,7 +75,10 @@ static void add_buttons(struct panel_rows *rows, const struct panel *panel)
     if (!panel->buttons)
         return;
     add(rows, PANEL_ROW_RULE, "");
-    struct panel_row *row = add(rows, PANEL_ROW_BUTTONS, panel->paused ? "resume" : "pause");
+    struct panel_row *row = add(rows, PANEL_ROW_BUTTONS,
+                                panel->paused  ? "resume"
+                                : panel->timed ? "pause"
+                                               : "");
     snprintf(row->cell[PANEL_STEP_BACK], PANEL_CELL, "%s", steps ? "step back" : "");
     snprintf(row->cell[PANEL_STEP_ON], PANEL_CELL, "%s", steps ? "step on" : "");
     snprintf(row->cell[PANEL_HIDE], PANEL_CELL, "hide");

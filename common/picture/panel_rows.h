@@ -47,8 +47,9 @@ struct panel {
     struct inspector_table *table; // receives the table of the ray's march; may be NULL
     struct picker *picker; // the selected colour's picker, to be placed and drawn; NULL if closed
     const char *hint;      // one line about the main keys
-    const char *note;      // why a key does nothing; NULL if there is no note
-    const char *caption;   // caption of a lecture, shown at the bottom
+    const char *note;      // what a key did, or why it does nothing; NULL if there is no note
+    const char *note_heading; // the line above the note
+    const char *caption;      // caption of a lecture, shown at the bottom
     const struct panel_key *keys;
     int key_count;
     int pixel[2];              // the selected ray's pixel, 0,0 bottom left; -1,-1 if there is none

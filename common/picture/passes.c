@@ -37,6 +37,12 @@ static enum shader_view view_of(const struct renderer *renderer)
     return renderer->pass_count > 0 ? VIEW_PICTURE : VIEW_KEPT;
 }
 
+bool passes_halves(const struct renderer *renderer)
+{
+    const struct renderer *pass = renderer->pass_count > 0 ? renderer->pass : renderer;
+    return pass->kept.target[0].format == GL_RGBA16F;
+}
+
 struct renderer_inputs passes_inputs(const struct renderer_inputs *inputs, int frame)
 {
     struct renderer_inputs at = *inputs;
@@ -152,6 +158,8 @@ static bool draw_pass(struct renderer *renderer, int number, const struct render
         !target_bind(target, pass->gl, inputs->width, inputs->height))
         return false;
     renderer_use(pass, inputs, view);
+    if (pass->fragment.dialect == DIALECT_WHOLE)
+        renderer_clear(pass->gl); // a discarded pixel is 0 in the other tools
     pass->gl->Viewport(0, 0, inputs->width, inputs->height);
     renderer_tiles(pass, low, high, 0, 0, inputs->frame);
     make_levels(pass, target);
@@ -163,8 +171,11 @@ static bool begin(struct renderer *renderer, const struct renderer_inputs *input
 {
     for (int i = 0; i < count_of(renderer); i++) {
         struct renderer *pass = pass_of(renderer, i);
-        if (!kept_begin(&pass->kept, pass->gl, inputs->width, inputs->height))
-            return false;
+        if (!kept_begin(&pass->kept, pass->gl, pass->fragment.links.shown, inputs->width,
+                        inputs->height))
+            return report("kept frames %dx%d (passes: %d, two pictures each): the driver has no "
+                          "room for them: try a smaller --size",
+                          inputs->width, inputs->height, count_of(renderer));
         for (int k = 0; k < 2; k++)
             make_levels(pass, &pass->kept.target[k]);
     }
@@ -188,7 +199,8 @@ static bool follow(struct renderer *renderer, const struct renderer_inputs *inpu
     }
     if (count > MANY)
         report_progress(count, count, "kept frames");
-    show(renderer, renderer, count_of(renderer), inputs->frame);
+    show(renderer, renderer, renderer->fragment.links.shown ? 0 : count_of(renderer),
+         inputs->frame);
     return true;
 }
 

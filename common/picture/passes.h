@@ -16,6 +16,9 @@
 // frame has kept.
 bool passes_keep(const struct renderer *renderer);
 
+// True if the frames are kept in half floats, because the driver cannot draw into floats.
+bool passes_halves(const struct renderer *renderer);
+
 // Return the inputs of another frame of the same film. In a file, whose year is 1970, the seconds
 // of the date are the time.
 struct renderer_inputs passes_inputs(const struct renderer_inputs *inputs, int frame);

@@ -88,12 +88,14 @@ static bool load_passes(struct renderer *next)
                                   .focal_length = next->focal_length};
         pass->fragment = source->pass[next->pass_count];
         source->pass[next->pass_count++] = (struct shader_source){0};
-        if (source->unset != NULL) // one warning is enough
-            pass->fragment.unset = memory_text("%s", source->unset);
+        pass->fragment.warned = source->warned; // a warning is printed once for all passes
+        source->warned = NULL;
         done =
             parameters_read(&pass->parameters, &pass->fragment) &&
             textures_load(&pass->textures, pass->gl, &pass->parameters.samplers, &pass->fragment) &&
             renderer_link(pass, VIEW_PICTURE);
+        source->warned = pass->fragment.warned;
+        pass->fragment.warned = NULL;
         if (source->unset == NULL && pass->fragment.unset != NULL)
             source->unset = memory_text("%s", pass->fragment.unset);
     }

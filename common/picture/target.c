@@ -65,9 +65,7 @@ void target_upload(const struct gl *gl, int width, int height, const unsigned ch
     read_nearest(gl);
 }
 
-// Bind a target, and allocate its pixels if its size is new. Returns false if the driver cannot
-// allocate them.
-static bool make(struct target *target, const struct gl *gl, int width, int height)
+bool target_make(struct target *target, const struct gl *gl, int width, int height)
 {
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
     if (target->width == width && target->height == height)
@@ -85,8 +83,16 @@ static bool make(struct target *target, const struct gl *gl, int width, int heig
     return made;
 }
 
+// True if the browser has an extension.
+static bool has(const struct gl *gl, const char *extension)
+{
+    return strstr((const char *)gl->GetString(GL_EXTENSIONS), extension) != NULL;
+}
+
 GLenum target_format(const struct gl *gl, bool blends)
 {
+    if (GL_IS_ES && blends && !has(gl, "float_blend")) // a trial would be an error
+        return GL_RGBA16F;
     struct target target;
     enum shader_step step;
     char *log;
@@ -94,7 +100,7 @@ GLenum target_format(const struct gl *gl, bool blends)
     GLuint program = shader_link_texts(gl, target_vertex, fragment_text, &step, &log);
     free(log);
     target_open(&target, gl, GL_RGBA32F);
-    if (program != 0 && make(&target, gl, 1, 1)) {
+    if (program != 0 && target_make(&target, gl, 1, 1)) {
         draw_trial(gl, program, blends);
         target_read(&target, gl, sum);
     }
@@ -105,8 +111,7 @@ GLenum target_format(const struct gl *gl, bool blends)
 
 void target_filter(const struct target *target, const struct gl *gl, char filter, bool repeat)
 {
-    bool can = !GL_IS_ES || target->format != GL_RGBA32F ||
-               strstr((const char *)gl->GetString(GL_EXTENSIONS), "texture_float_linear") != NULL;
+    bool can = !GL_IS_ES || target->format != GL_RGBA32F || has(gl, "texture_float_linear");
     GLint plain = can && filter != 'n' ? GL_LINEAR : GL_NEAREST;
     GLint edge = repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     gl->BindTexture(GL_TEXTURE_2D, target->texture);
@@ -133,7 +138,7 @@ void target_close(struct target *target, const struct gl *gl)
 
 bool target_bind(struct target *target, const struct gl *gl, int width, int height)
 {
-    return make(target, gl, width, height) ||
+    return target_make(target, gl, width, height) ||
            report("float target %dx%d: the driver cannot make it: try a smaller --size or another "
                   "--backend",
                   width, height);

@@ -41,6 +41,9 @@ void target_filter(const struct target *target, const struct gl *gl, char filter
 void target_open(struct target *target, const struct gl *gl, GLenum format);
 void target_close(struct target *target, const struct gl *gl);
 
+// Do the same as target_bind without reporting an error.
+bool target_make(struct target *target, const struct gl *gl, int width, int height);
+
 // Bind a target to draw into. If its size changes, its pixels are undefined.
 // Returns false after reporting the error if the driver cannot create a target of this format and
 // size.

@@ -6,6 +6,7 @@
 #include <spawn.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 static struct {
@@ -113,14 +114,20 @@ extern char **environ;
 bool platform_edit(const char *path)
 {
     static char shell[] = "sh", option[] = "-c";
+    static char find[] = "[ -n \"${VISUAL:-$EDITOR}\" ] || command -v xdg-open >/dev/null || "
+                         "command -v open >/dev/null";
     static char script[] =
         "editor=${VISUAL:-$EDITOR}\n"
         "for each in xdg-open open; do\n"
         "    [ -n \"$editor\" ] || ! command -v $each >/dev/null || editor=$each\n"
         "done\n"
-        "[ -n \"$editor\" ] || { echo 'no editor: set VISUAL to the name of one' >&2; exit 1; }\n"
         "exec $editor \"$1\"";
+    char *const look[] = {shell, option, find, NULL};
     char *const argument[] = {shell, option, script, shell, (char *)path, NULL};
     pid_t child;
+    int status = 0;
+    if (posix_spawnp(&child, shell, NULL, NULL, look, environ) != 0 ||
+        waitpid(child, &status, 0) != child || status != 0)
+        return false;
     return posix_spawnp(&child, shell, NULL, NULL, argument, environ) == 0;
 }

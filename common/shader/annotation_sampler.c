@@ -119,16 +119,10 @@ const char *sampler_given(const struct shader_source *source, const struct shade
     return has ? channels[sampler->channel] : other;
 }
 
-// The number of the pass that a sampler reads; 0 if it reads none.
-static int pass_of(const struct shader_source *source, const struct shader_sampler *sampler)
-{
-    bool channel = sampler->channel >= 0 && sampler_given(source, sampler) == NULL;
-    return channel ? source->links.reads[sampler->channel] : 0;
-}
-
 bool sampler_has_picture(const struct shader_source *source, const struct shader_sampler *sampler)
 {
-    return sampler_given(source, sampler) != NULL || pass_of(source, sampler) > 0 ||
+    return sampler_given(source, sampler) != NULL ||
+           shader_read_of(source, sampler->name) != NULL ||
            (sampler->channel >= 0 && source->channel[sampler->channel] > 0);
 }
 
@@ -211,15 +205,15 @@ static bool add_others(struct samplers *samplers, struct shader_source *source)
     for (int i = 0; i < source->sampler_count; i++) {
         const struct shader_sampler *from = &source->samplers[i];
         const char *given = sampler_given(source, from);
+        const struct shader_read *read = given == NULL ? shader_read_of(source, from->name) : NULL;
         struct sampler sampler = {.file = -1,
                                   .line = from->line,
                                   .channel = from->channel,
                                   .repeat = true,
                                   .slices = strcmp(from->type, "sampler3D") == 0,
                                   .cube = strcmp(from->type, "samplerCube") == 0,
-                                  .pass = pass_of(source, from)};
-        if (sampler.pass > 0)
-            sampler.filter = source->links.filter[from->channel];
+                                  .pass = read != NULL ? read->pass : 0,
+                                  .filter = read != NULL ? read->filter : '\0'};
         snprintf(sampler.name, sizeof sampler.name, "%s", from->name);
         bool has = sampler_has_picture(source, from);
         if (has && sampler.pass == 0)

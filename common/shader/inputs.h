@@ -34,7 +34,8 @@ enum input_meaning {
     INPUT_CHANNEL_SIZE,           // the size of such a picture; for iChannelResolution, of all four
     INPUT_DRAW,                   // changes with each draw; set by renderer_pass.c
     INPUT_POSITION,               // the pixel's position, computed by the vertex shader
-    INPUT_SILENT // sound, the previous picture or the like, which is black or 0 here
+    INPUT_SILENT,                 // sound or the like, which is black or 0 here
+    INPUT_LAST                    // the picture that the last frame showed
 };
 
 struct input {
@@ -42,7 +43,8 @@ struct input {
     enum input_meaning meaning;
     int channel; // index for INPUT_CHANNEL and INPUT_CHANNEL_SIZE; -1 for all four
     // The value of an INPUT_POSITION in the vertex shader, a vec2, or the reason why an
-    // INPUT_SILENT is not supported.
+    // INPUT_SILENT is not supported. For an INPUT_LAST, the filter of struct shader_read, and an r
+    // if the picture repeats.
     const char *text;
 };
 

@@ -26,6 +26,15 @@ bool shader_includes(const struct shader_source *source, const char *file)
     return false;
 }
 
+const struct shader_read *shader_read_of(const struct shader_source *source, const char *sampler)
+{
+    for (const struct shader_read *read = source->links.read, *end = read + SHADER_PASSES;
+         read < end; read++)
+        if (read->pass > 0 && strcmp(read->name, sampler) == 0)
+            return read;
+    return NULL;
+}
+
 void shader_free(struct shader_source *source)
 {
     for (int i = 0; i < source->file_count; i++) {
@@ -40,6 +49,7 @@ void shader_free(struct shader_source *source)
     free(source->inputs);
     free(source->samplers);
     free(source->unset);
+    free(source->warned);
     free(source->root);
     free(source->own);
     free(source->include);

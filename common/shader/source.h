@@ -40,12 +40,19 @@ struct shader_request {
 
 enum { SHADER_PASSES = 8 }; // the maximum number of passes before the picture
 
+// A sampler that reads the picture of a pass.
+struct shader_read {
+    char name[24];
+    int pass;    // number of the pass, from 1; 0 for none
+    char filter; // 'n' the nearest texel, 'l' linear, 'm' from mip levels
+};
+
 // How one of several passes is connected with the others.
 struct shader_pass {
-    int reads[4];    // for each channel, the number of the pass that it reads, from 1; 0 for none
-    char filter[4];  // for each of these: 'n' the nearest texel, 'l' linear, 'm' from mip levels
+    struct shader_read read[SHADER_PASSES];
     bool repeat;     // the pass's own picture repeats beyond its edge
     bool mip_levels; // and is read with mip levels
+    bool shown;      // the pass is the picture itself, as the last frame showed it, in 8 bits
 };
 
 // A sampler of a file in another tool's dialect. It reads the picture of --texture NAME=FILE or
@@ -59,7 +66,7 @@ struct shader_sampler {
 };
 
 struct shader_source {
-    enum shader_dialect dialect; // set by dialect.c, like prelude, body, inputs and unset
+    enum shader_dialect dialect; // set by dialect.c, like prelude, body, inputs, unset, warned
     int version;                 // the number in the text's #version; 0 if there is none
     char *text;                  // the same as code.text; '\n' ends each line, and '\0' the text
     struct glsl code;            // the text as tokens
@@ -71,6 +78,7 @@ struct shader_source {
     struct shader_sampler *samplers; // in the order of the text; none in the course's dialect
     int sampler_count;
     char *unset;     // the first warning that nothing sets a uniform or a block; NULL if none
+    char *warned;    // all warnings, one in each line; NULL if there are none
     char was[4][24]; // what each channel contains in the author's tool, in Shadertoy's words
     struct shader_pass links;   // with other passes of the file
     struct shader_source *pass; // the passes that are drawn before this one, in order; owned
@@ -121,6 +129,9 @@ bool shader_includes(const struct shader_source *source, const char *file);
 
 // Free a source. A zero-initialised source is allowed.
 void shader_free(struct shader_source *source);
+
+// What a sampler reads, or NULL if it reads no pass.
+const struct shader_read *shader_read_of(const struct shader_source *source, const char *sampler);
 
 // Report an error with the author's file and line. Always returns false.
 //   line  the line of the expanded text, counted from 0

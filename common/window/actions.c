@@ -38,13 +38,11 @@ static void shoot(struct window *window)
 static void edit(struct window *window)
 {
     const char *path = window->start->picture[0].path;
-    if (window_key_acts(window, KEY_WITH_EDITOR) && !platform_edit(path))
-        report("%s: no editor can be started", path);
-}
-
-static void pause(struct window *window)
-{
-    window->paused = !window->paused;
+    if (window_key_acts(window, KEY_WITH_EDITOR) && !platform_edit(path)) {
+        report("%s: no editor: set VISUAL to the name of one", path);
+        window_note(window, "No editor",
+                    "set VISUAL to the name of one, or open the file yourself");
+    }
 }
 
 static void show_keys(struct window *window)
@@ -64,7 +62,12 @@ static void roll(struct window *window)
 
 static void restart(struct window *window, int camera)
 {
-    window->inputs.time = window->start->time;
+    if (!camera && !window_uses_time(window))
+        window_note(window, "Nothing to restart",
+                    window_key_acts(window, KEY_WITH_CAMERA)
+                        ? "this picture does not change with time; Shift+R resets the camera"
+                        : "this picture does not change with time");
+    window->inputs.begin = window->inputs.time = window->start->time;
     window->inputs.frame = window_keeps(window) ? 0 : window->inputs.frame;
     if (camera)
         window->inputs.camera = window->start->camera;
@@ -179,24 +182,24 @@ static void show_side(struct window *window, int both)
 #define VIEW_WORD(id, kind, key, name) " " #key " " name
 // clang-format off
 const struct key_row window_keys[] = {
-    {.label = "Page Up Page Down", .does = "scene, step", .condition = KEY_WITH_SCENES,
+    {.label = "Page Up Page Down", .does = "chapter or scene", .condition = KEY_WITH_SCENES,
      .meaning = "in the course or in a lecture, go to the chapter or the scene before or to the next one; if "
                 "a scene began with the steps of a ray, first to its next step. Elsewhere the same as Q and E",
      .binding = {{GLFW_KEY_PAGE_DOWN, .change = turn_page, .amount = 1, .shifted = 1},
                  {GLFW_KEY_PAGE_UP, .change = turn_page, .amount = -1, .shifted = -1},
                  {GLFW_KEY_PAGE_DOWN, .change = step_by_page, .amount = 1, .shifted = 1, .repeats = true},
                  {GLFW_KEY_PAGE_UP, .change = step_by_page, .amount = -1, .shifted = -1, .repeats = true}}},
-    {.label = "N", .does = "next scene", .condition = KEY_WITH_SCENES,
+    {.label = "N", .does = "next scene", .condition = KEY_IN_LECTURE,
      .meaning = "in a lecture, and in the list of a class's wrong pictures, go to the next scene without "
                 "the steps of a ray; with Shift, go back",
      .binding = {{GLFW_KEY_N, .change = change_scene, .amount = 1, .shifted = -1}}},
-    {.label = "Home", .does = "contents", .condition = KEY_IN_COURSE,
+    {.label = "Home", .does = "contents", .condition = KEY_WITH_CONTENTS,
      .meaning = "in the course, show all chapters, unless a ray is selected",
      .binding = {{0}}}, // go_first
     {.label = "Shift+1…9", .does = "part", .condition = KEY_IN_LECTURE,
      .meaning = "in a lecture, go to a part",
      .binding = {{0}}}, // ask_part
-    {.label = "B .", .does = "black", .condition = KEY_WITH_SCENES,
+    {.label = "B .", .does = "black screen", .condition = KEY_WITH_SCENES,
      .meaning = "in the course or in a lecture, make the screen black; a second press or another scene ends this",
      .binding = {{GLFW_KEY_B, .act = blacken}, {GLFW_KEY_PERIOD, .act = blacken}}},
     {.label = "W A S D", .does = "move", .condition = KEY_WITH_CAMERA,
@@ -207,14 +210,14 @@ const struct key_row window_keys[] = {
     {.label = "Shift F", .does = "faster", .condition = KEY_WITH_CAMERA,
      .meaning = "hold one of them to move faster"},
     {.label = "drag", .does = "look around", .condition = KEY_WITH_CAMERA,
-     .meaning = "look around; on the line between two pictures of --compare, move this line"},
+     .meaning = "look around, or move the divider of --compare"},
     {.label = "L", .does = "left, right", .condition = KEY_WITH_COMPARISON,
      .meaning = "with --compare, show only the left picture, and then only the right one, so that whatever "
                 "differs seems to move; with Shift, show half of each",
      .binding = {{GLFW_KEY_L, .change = show_side, .amount = false, .shifted = true}}},
     {.label = "M", .does = "capture mouse", .condition = KEY_WITH_CAMERA,
      .meaning = "capture the mouse, so that you can look around without holding a button, or release it"},
-    {.label = "click", .does = "select ray",
+    {.label = "click", .does = "select ray", .condition = KEY_WITH_MARCH,
      .meaning = "select a pixel and show the march of its ray step by step; on a line of that table, go to "
                 "the step. A second click on the same pixel deselects it. When the camera moves, the ray "
                 "stays where it is in space"},
@@ -256,8 +259,8 @@ const struct key_row window_keys[] = {
      .binding = {{GLFW_KEY_TAB, .act = window_toggle_orthographic}}},
     {.label = "Esc", .does = "pause", .condition = KEY_WITH_TIME,
      .meaning = "pause or resume",
-     .binding = {{GLFW_KEY_ESCAPE, .act = pause}}},
-    {.label = "R", .does = "restart", .meaning = "restart the time; with Shift, also reset the camera",
+     .binding = {{GLFW_KEY_ESCAPE, .act = window_pause}}},
+    {.label = "R Shift+R", .does = "restart, with camera", .meaning = "restart the time; with Shift, also reset the camera",
      .binding = {{GLFW_KEY_R, .change = restart, .amount = false, .shifted = true}}},
     {.label = "P", .does = "screenshot", .meaning = "save a screenshot in the current folder",
      .binding = {{GLFW_KEY_P, .act = shoot}}},
@@ -270,7 +273,7 @@ const struct key_row window_keys[] = {
      .binding = {{GLFW_KEY_H, .act = hide}}},
     {.label = "K", .does = "fewer keys", .meaning = "show all keys and ranges in the overlay, or fewer",
      .binding = {{GLFW_KEY_K, .act = show_keys}}},
-    {.label = "O", .does = "other side", .meaning = "move the panel of parameters to the other side",
+    {.label = "O", .does = "panel right, left", .meaning = "move the panel of parameters to the other side",
      .binding = {{GLFW_KEY_O, .act = change_side}}},
     {.label = "T", .does = "collapse panel", .meaning = "collapse the panel to its title, or expand it",
      .binding = {{GLFW_KEY_T, .act = roll}}},
@@ -302,7 +305,7 @@ static void press_key(struct window *window, const struct window_event *event)
 {
     if (ask_part(window, event))
         return;
-    window->panel.note = NULL;
+    window->panel.note[0] = '\0';
     bool pad = event->amount >= GLFW_KEY_KP_0 && event->amount <= GLFW_KEY_KP_9;
     int key = pad ? event->amount - GLFW_KEY_KP_0 + GLFW_KEY_0 : event->amount;
     for (const struct key_row *row = window_keys; row->label != NULL; row++)
@@ -312,6 +315,8 @@ static void press_key(struct window *window, const struct window_event *event)
                 (event->repeated && !at->repeats))
                 continue;
             window_explain_key(window, row->condition);
+            if (row->condition == KEY_WITH_MARCH && !window_key_acts(window, row->condition))
+                continue;
             if (at->act != NULL)
                 at->act(window);
             else

@@ -1,5 +1,7 @@
 #include "window/condition.h"
 
+#include <stdio.h>
+
 #include "picture/comparison.h"
 #include "window/frames.h"
 #include "window/lens.h"
@@ -25,6 +27,12 @@ bool window_uses_time(const struct window *window)
     return window_keeps(window) || program_uses_time(renderer, renderer->view) ||
            ((selected || slice) && program_uses_time(renderer, VIEW_PROBE)) ||
            (selected && slice && program_uses_time(renderer, VIEW_PICTURE));
+}
+
+void window_pause(struct window *window)
+{
+    if (window->paused || window_uses_time(window))
+        window->paused = !window->paused;
 }
 
 bool window_has_contents(const struct window *window)
@@ -75,8 +83,8 @@ bool window_key_acts(struct window *window, enum key_condition condition)
         return window->renderer->comparison != NULL;
     case KEY_WITH_SCENES:
         return window_has_scenes(window);
-    case KEY_IN_COURSE:
-        return window_has_contents(window);
+    case KEY_WITH_CONTENTS:
+        return window_has_contents(window) && window->inputs.pixel[0] < 0;
     case KEY_IN_LECTURE:
         return window->start->caption != NULL;
     }
@@ -85,21 +93,27 @@ bool window_key_acts(struct window *window, enum key_condition condition)
 
 void window_explain_key(struct window *window, enum key_condition condition)
 {
-    static const char *const why[] = {[KEY_WITH_CAMERA] = "this shader does not read the camera",
-                                      [KEY_WITH_MARCH] = "this shader does not record its march",
-                                      [KEY_WITH_TIME] = "this picture does not change with time",
-                                      [KEY_WITH_PARAMETERS] = "this shader has no parameters",
-                                      [KEY_WITH_HANDLES] = "this shader has no points to drag",
-                                      [KEY_WITH_TOOL] = "only chapter 23 has clay",
-                                      [KEY_WITH_PROJECTIONS] = "this shader has one projection",
-                                      [KEY_WITH_COMPARISON] =
-                                          "there is one picture: --compare shows two",
-                                      [KEY_IN_LECTURE] = NULL};
+    static const char *const why[] = {
+        [KEY_WITH_CAMERA] = "this shader does not read the camera",
+        [KEY_WITH_MARCH] = "only chapters from 01 on have views and rays",
+        [KEY_WITH_TIME] = "this picture does not change with time",
+        [KEY_WITH_PARAMETERS] = "this shader has no parameters",
+        [KEY_WITH_HANDLES] = "this shader has no points to drag",
+        [KEY_WITH_TOOL] = "only chapter 23 has clay",
+        [KEY_WITH_PROJECTIONS] = "this shader has one projection",
+        [KEY_WITH_COMPARISON] = "there is one picture: --compare shows two",
+        [KEY_IN_LECTURE] = NULL};
     if (why[condition] == NULL || (window->panel.told & 1U << condition) != 0 ||
         window_key_acts(window, condition))
         return;
     window->panel.told |= 1U << condition;
-    window->panel.note = why[condition];
+    window_note(window, "This does nothing here", why[condition]);
+}
+
+void window_note(struct window *window, const char *heading, const char *words)
+{
+    snprintf(window->panel.note, sizeof window->panel.note, "%s", words);
+    window->panel.note_heading = heading;
     window->panel.note_ends = glfwGetTime() + NOTE_SECONDS;
     window->dirty = true;
 }

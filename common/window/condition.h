@@ -19,13 +19,16 @@ enum key_condition {
     KEY_WITH_TOOL,
     KEY_WITH_PROJECTIONS,
     KEY_WITH_COMPARISON,
-    KEY_WITH_SCENES, // in a course or a lecture
-    KEY_IN_COURSE,
+    KEY_WITH_SCENES,   // in a course or a lecture
+    KEY_WITH_CONTENTS, // in the course, while no ray is selected
     KEY_IN_LECTURE
 };
 
 // True if the picture on the screen depends on the time, or on frames that are kept.
 bool window_uses_time(const struct window *window);
+
+// Pause a picture that depends on the time, or resume it. No other picture is paused.
+void window_pause(struct window *window);
 
 // True if the window's scenes have contents, as those of the course do.
 bool window_has_contents(const struct window *window);
@@ -38,5 +41,10 @@ bool window_key_acts(struct window *window, enum key_condition condition);
 
 // If the keys of a row do nothing here, and have no other meaning, let the overlay say why, once.
 void window_explain_key(struct window *window, enum key_condition condition);
+
+// Show a line in the overlay for some seconds, or until the next key.
+//   heading  the line above it, which must outlive the note
+//   words    copied
+void window_note(struct window *window, const char *heading, const char *words);
 
 #endif

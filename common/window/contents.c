@@ -11,10 +11,12 @@
 #include "window/condition.h"
 #include "window/pointer.h"
 
-#define GAP     12.0f     // between two pictures, units
+#define ACROSS  8.0f      // between two pictures in a row, units
+#define DOWN    5.0f      // between a name and the picture below it, units
 #define HEADING 26.0f     // height of the line above the pictures, units
 #define FOOTING 24.0f     // height of the line below them, units
-#define NAME    15.0f     // height of the name below a picture, units
+#define LINE    13.0f     // height of one of the two lines of the name below a picture, units
+#define NAME    28.0f     // height of both, with the gap above them, units
 #define FRAME   2.0f      // width of the frame around the chosen picture, units
 #define GAMMA   2.2       // near enough to sRGB for an average of pixels
 #define LARGEST (1 << 24) // pixels of a picture's file
@@ -42,15 +44,15 @@ static struct layout layout_of(const struct overlay *overlay, int count)
     for (int columns = 1; columns <= count; columns++) {
         int rows = (count + columns - 1) / columns;
         float room = height - HEADING - FOOTING;
-        float across = (width - GAP * (float)(columns + 1)) / (float)columns;
-        float down = ((room - GAP * (float)(rows - 1)) / (float)rows - NAME) * 16.0f / 9.0f;
+        float across = (width - ACROSS * (float)(columns + 1)) / (float)columns;
+        float down = ((room - DOWN * (float)(rows - 1)) / (float)rows - NAME) * 16.0f / 9.0f;
         float side = fminf(across, down);
         if (side > best.width)
             best = (struct layout){.columns = columns, .rows = rows, .width = side};
     }
     best.height = best.width * 9.0f / 16.0f;
-    float all = (float)best.columns * (best.width + GAP) - GAP;
-    float high = (float)best.rows * (height_of_row(best.width) + GAP) - GAP;
+    float all = (float)best.columns * (best.width + ACROSS) - ACROSS;
+    float high = (float)best.rows * (height_of_row(best.width) + DOWN) - DOWN;
     best.left = 0.5f * (width - all);
     best.top = HEADING + 0.5f * fmaxf(height - HEADING - FOOTING - high, 0.0f);
     return best;
@@ -59,9 +61,9 @@ static struct layout layout_of(const struct overlay *overlay, int count)
 // The top left corner of a picture, in units.
 static void corner_of(const struct layout *layout, int item, float corner[2])
 {
-    corner[0] = layout->left + (float)(item % layout->columns) * (layout->width + GAP);
+    corner[0] = layout->left + (float)(item % layout->columns) * (layout->width + ACROSS);
     corner[1] =
-        layout->top + (float)(item / layout->columns) * (height_of_row(layout->width) + GAP);
+        layout->top + (float)(item / layout->columns) * (height_of_row(layout->width) + DOWN);
 }
 
 // Return the item at a position, with its name, or -1 if there is none.
@@ -232,17 +234,33 @@ static void write_middle(struct overlay *overlay, float top, const char *text,
     overlay_text(overlay, fmaxf(left, PEN_MARGIN), top, text, colour);
 }
 
-// Copy a name, with an ellipsis instead of the letters that do not fit into a width.
-static void shorten(const char *name, float width, char line[OVERLAY_TEXT + 1])
+// Copy a text, with an ellipsis instead of the letters that do not fit into a width.
+static void shorten(const char *text, float width, char line[OVERLAY_TEXT + 1])
 {
-    int length = (int)strlen(name);
-    snprintf(line, OVERLAY_TEXT + 1, "%s", name);
+    int length = (int)strlen(text);
+    snprintf(line, OVERLAY_TEXT + 1, "%s", text);
     while (overlay_width(line) > width && length > 0) {
         while (--length > 0 &&
-               (name[length - 1] == ' ' || ((unsigned char)name[length] & 0xC0) == 0x80))
+               (text[length - 1] == ' ' || ((unsigned char)text[length] & 0xC0) == 0x80))
             continue;
-        snprintf(line, OVERLAY_TEXT + 1, "%.*s…", length, name);
+        snprintf(line, OVERLAY_TEXT + 1, "%.*s…", length, text);
     }
+}
+
+// Write a name below a picture in one line or, if it is too long, in two.
+static void write_name(struct overlay *overlay, const float corner[2], const struct layout *layout,
+                       const char *name, struct overlay_colour colour)
+{
+    char words[OVERLAY_TEXT + 1], line[OVERLAY_TEXT + 1], *blank;
+    const float left = corner[0], top = corner[1] + layout->height + 3.0f;
+    snprintf(words, sizeof words, "%s", name);
+    while (overlay_width(words) > layout->width && (blank = strrchr(words, ' ')) != NULL)
+        *blank = '\0';
+    const char *rest = name + strlen(words);
+    shorten(words, layout->width, line);
+    overlay_text(overlay, left, top, line, colour);
+    shorten(rest + strspn(rest, " "), layout->width, line);
+    overlay_text(overlay, left, top + LINE, line, colour);
 }
 
 // Draw the frame of the chosen picture.
@@ -274,13 +292,11 @@ bool window_contents_draw(struct window *window)
                  PEN_DIM);
     for (int i = 0; i < of->count; i++) {
         float corner[2];
-        char line[OVERLAY_TEXT + 1];
         corner_of(&layout, i, corner);
         if (i == chosen)
             write_frame(overlay, corner, &layout);
-        shorten(of->item[i].name, layout.width, line);
-        overlay_text(overlay, corner[0], corner[1] + layout.height + 3.0f, line,
-                     i == chosen ? PEN_BRIGHT : PEN_PLAIN);
+        write_name(overlay, corner, &layout, of->item[i].name,
+                   i == chosen ? PEN_BRIGHT : PEN_PLAIN);
     }
     snprintf(about, sizeof about, "%s: %s", of->item[chosen].name, of->item[chosen].shows);
     write_middle(overlay, pen_picture_height(overlay) - 17.0f, about, PEN_BRIGHT);

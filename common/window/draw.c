@@ -53,7 +53,8 @@ void window_retitle(struct window *window)
     if (parameter != NULL)
         comparison_parameter_name(window->renderer, parameter, name, sizeof name);
     if (window->pace.rate > 0.0 && !rests(window))
-        snprintf(rate, sizeof rate, " - %.0f fps", window->pace.rate);
+        snprintf(rate, sizeof rate, " - %.*f fps", window->pace.rate < 9.95 ? 1 : 0,
+                 window->pace.rate);
     snprintf(text, sizeof text, "%.60s%s%s - %s%s%s%s%.60s%s", name_of(window),
              window->broken ? " - error" : "", rate, shader_view_name(window->renderer->view),
              parameter != NULL ? " - " : "", name, parameter != NULL ? " = " : "", value,
@@ -121,7 +122,8 @@ static void fill_overlay(struct window *window)
         .shown = inputs->shown,
         .probe = window->ray.why[0] == '\0' ? window->ray.probe : NULL,
         .why = window->ray.why,
-        .note = window->panel.note,
+        .note = window->panel.note[0] != '\0' ? window->panel.note : NULL,
+        .note_heading = window->panel.note_heading,
         .error = window->panel.error,
         .broken = window->broken,
         .unset = window->renderer->fragment.unset,

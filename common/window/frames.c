@@ -2,7 +2,9 @@
 
 #include "picture/passes.h"
 
-#define MEASURED 3 // frames from which the resolution is chosen
+#define MEASURED    3    // frames from which the resolution is chosen
+#define MEAN_FRAMES 1024 // of a mean in a page, which then saves the battery
+#define HALF_FRAMES 64   // of a mean in half floats, which rounding would spoil
 
 bool window_keeps(const struct window *window)
 {
@@ -28,11 +30,30 @@ struct renderer_inputs window_inputs_shown(const struct window *window)
     return window_inputs_at(window, window_keeps(window) ? window->pace.resolution.level : 0);
 }
 
+// True if the kept frames do not depend on the time, so that later ones only refine a mean.
+static bool averages(const struct renderer *renderer)
+{
+    GLuint program = renderer->program[VIEW_KEPT];
+    return program != 0 &&
+           !inputs_reads(renderer->gl, program, &renderer->fragment, INPUT_TIME, INPUT_RATE);
+}
+
+int window_last_frame(const struct window *window)
+{
+    const struct renderer *renderer = window->renderer;
+    int last = window->start->frame, most = -1;
+    if (averages(renderer))
+        most = passes_halves(renderer) ? HALF_FRAMES - 1
+               : window->panel.in_page ? MEAN_FRAMES - 1
+                                       : -1;
+    return last < 0 || (most >= 0 && most < last) ? most : last;
+}
+
 bool window_next_frame(struct window *window)
 {
     struct renderer_inputs *inputs = &window->inputs;
     const struct renderer_inputs shown = window_inputs_shown(window);
-    bool last = inputs->frame == window->start->frame;
+    bool last = inputs->frame == window_last_frame(window);
     if (last || passes_drawn(window->renderer, &shown) <= inputs->frame)
         return !last;
     inputs->frame++;

@@ -16,6 +16,10 @@ struct renderer_inputs window_inputs_at(const struct window *window, int level);
 // are kept have the size at which they were drawn, and any other picture has the window's size.
 struct renderer_inputs window_inputs_shown(const struct window *window);
 
+// The frame at which the window stops, or -1 if it goes on: that of the command line, or the last
+// of a mean.
+int window_last_frame(const struct window *window);
+
 // Go on to the next frame, unless the present one has not been drawn yet, or is the last that was
 // asked for. Returns true if there is another frame to draw.
 bool window_next_frame(struct window *window);

@@ -5,10 +5,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#define LONGEST_STEP 0.1 // maximum seconds of movement per step, even if a frame is slow
-#define FASTER       4.0 // factor of the speed while Left Shift or F is held
-#define DRAG_BEGINS  3.0 // window units that the pointer may move during a click
-#define DOUBLE       0.4 // maximum time between the two presses of a double click, in seconds
+#define LONGEST_STEP 0.1  // maximum seconds of movement per step, even if a frame is slow
+#define TAP          0.03 // seconds of movement for a shorter press
+#define FASTER       4.0  // factor of the speed while Left Shift or F is held
+#define DRAG_BEGINS  3.0  // window units that the pointer may move during a click
+#define DOUBLE       0.4  // maximum time between the two presses of a double click, in seconds
 
 // GLFW names keys after an American keyboard: GLFW_KEY_W is the key labelled Z on a French one.
 static const int held_keys[HELD_KEYS] = {
@@ -47,7 +48,8 @@ static void add_at_pointer(struct window_input *input, struct window_event event
 }
 
 // Movement is also counted at every press and release, not only once per frame, so that the
-// distance depends on how long the key was down, not on the frame rate.
+// distance depends on how long the key was down, not on the frame rate. A shorter press counts TAP,
+// because in a slow frame the press and the release of a tap arrive together.
 void window_input_count(struct window_input *input)
 {
     const bool *held = input->held;
@@ -135,7 +137,12 @@ static void on_key(GLFWwindow *window, int key, int scancode, int action, int mo
     while (held < HELD_KEYS && held_keys[held] != key)
         held++;
     if (held < HELD_KEYS) {
+        double now = glfwGetTime();
+        if (action == GLFW_RELEASE && input->held[held])
+            input->counted -= fmax(TAP - (now - input->pressed[held]), 0.0);
         window_input_count(input);
+        if (action == GLFW_PRESS)
+            input->pressed[held] = now;
         input->held[held] = action != GLFW_RELEASE;
         return;
     }

@@ -71,7 +71,8 @@ struct window_input {
     bool typing;      // a field is open, so keys are characters; set by field.c
     bool picker_open; // Escape closes the colour picker; set by colour_picker.c
     bool held[HELD_KEYS];
-    double counted; // time of glfwGetTime up to which all movement is in the events
+    double pressed[HELD_KEYS]; // time of glfwGetTime of the last press
+    double counted;            // time of glfwGetTime up to which all movement is in the events
     enum window_button_state state;
     int button; // the button that is held: 0 left, 1 right
     struct {

@@ -41,7 +41,7 @@ static void fill_labels(const struct window *window, const char *keys, char *tex
 
 void window_list_keys(struct window *window)
 {
-    char show[16], hide[16];
+    char show[16], hide[16], deselect[16], more[40] = "";
     int count = 0;
     for (const struct key_row *row = window_keys; row->label != NULL && count < WINDOW_KEYS; row++)
         if (window_key_acts(window, row->condition)) {
@@ -52,6 +52,9 @@ void window_list_keys(struct window *window)
     window->panel.key_count = count;
     fill_labels(window, "K", show, sizeof show);
     fill_labels(window, "H", hide, sizeof hide);
-    snprintf(window->panel.hint, sizeof window->panel.hint, "%s: %s    %s: hide", show,
-             window->panel.helps ? "fewer keys" : "keys, ranges", hide);
+    fill_labels(window, "X", deselect, sizeof deselect);
+    if (window_key_acts(window, KEY_WITH_RAY))
+        snprintf(more, sizeof more, "    %s: deselect ray", deselect);
+    snprintf(window->panel.hint, sizeof window->panel.hint, "%s: %s    %s: hide%s", show,
+             window->panel.helps ? "fewer keys" : "keys, ranges", hide, more);
 }

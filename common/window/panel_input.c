@@ -6,6 +6,7 @@
 
 #include "picture/comparison.h"
 #include "window/colour_picker.h"
+#include "window/condition.h"
 #include "window/field.h"
 #include "window/ray.h"
 #include "window/selection.h"
@@ -117,7 +118,7 @@ static void drag(struct window *window, const struct window_event *event)
 static void click_button(struct window *window)
 {
     if (window->grab.choice == PANEL_PAUSE)
-        window->paused = !window->paused;
+        window_pause(window);
     else if (window->grab.choice == PANEL_HIDE) {
         window->panel.folded = true;
         window->panel.captioned = false;

@@ -130,7 +130,8 @@ void window_follow_ray(struct window *window)
     if (renderer_at(window->renderer, inputs->width, inputs->pixel[0])->fragment.dialect !=
         DIALECT_COURSE) {
         snprintf(window->ray.why, sizeof window->ray.why,
-                 "no march: only shaders in the course's dialect record their rays");
+                 "no march: rays are recorded from chapter 01 on, by shaders that use the course's "
+                 "library");
     } else if (!renderer_probe(window->renderer, &shown, shown.pixel[0], shown.pixel[1],
                                window->ray.probe)) {
         snprintf(window->ray.why, sizeof window->ray.why, "%s", report_last());

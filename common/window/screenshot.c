@@ -6,6 +6,7 @@
 #include "picture/comparison.h"
 #include "platform.h"
 #include "report.h"
+#include "window/condition.h"
 #include "window/frames.h"
 
 #define LAST 9999 // the highest number of a screenshot
@@ -57,6 +58,7 @@ void window_screenshot(struct window *window)
     if (drawn && find_name(window, path) && image_write_png(&image, path)) {
         report_result("%s: written, %dx%d\n", path, image.width, image.height);
         fflush(stdout);
+        window_note(window, "Screenshot", path);
     }
     image_free(&image);
     // Drawing the screenshot has overwritten the picture that the window shows.

@@ -108,24 +108,25 @@ struct window {
         struct overlay overlay;
         struct panel_rows rows; // the rows as they are shown
         struct inspector_table table;
-        bool folded;             // the panel is hidden, as with key H
-        bool captioned;          // the caption is shown, if there is one
-        bool in_page;            // a web page shows the panel's text while the panel is folded
-        bool right, rolled;      // the panel is on the right; the panel is collapsed to its title
-        bool peeks;              // the pointer is where the folded panel shows its title
-        bool views;              // the list of views is open
-        unsigned long long open; // parameters whose components stay shown, as in struct panel
-        bool helps;              // all keys and the ranges of all parameters are shown (key K)
-        double figures[2];       // frames per second and milliseconds, as shown
-        double figures_due;      // when the figures may change again
-        const char *note;        // why a key does nothing; NULL if no note is shown
-        double note_ends;        // when it disappears
-        unsigned told;           // the notes that have been shown: a bit for each key_condition
-        char error[4096];        // the error that the panel shows; "" if there is none
+        bool folded;              // the panel is hidden, as with key H
+        bool captioned;           // the caption is shown, if there is one
+        bool in_page;             // a web page shows the panel's text while the panel is folded
+        bool right, rolled;       // the panel is on the right; the panel is collapsed to its title
+        bool peeks;               // the pointer is where the folded panel shows its title
+        bool views;               // the list of views is open
+        unsigned long long open;  // parameters whose components stay shown, as in struct panel
+        bool helps;               // all keys and the ranges of all parameters are shown (key K)
+        double figures[2];        // frames per second and milliseconds, as shown
+        double figures_due;       // when the figures may change again
+        char note[256];           // what a key did, or why it does nothing; "" if no note is shown
+        const char *note_heading; // the line above the note
+        double note_ends;         // when it disappears
+        unsigned told;            // the notes that have been shown: a bit for each key_condition
+        char error[4096];         // the error that the panel shows; "" if there is none
         struct panel_key keys[WINDOW_KEYS];
         int key_count;
-        char hint[64]; // names the key that lists more or fewer keys, and the key that hides the
-                       // overlay
+        char hint[96]; // names the keys that list more or fewer keys, hide the overlay and deselect
+                       // a ray
     } panel;
     struct {
         int scenes, part, scene; // as window_asked returns them

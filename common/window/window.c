@@ -177,8 +177,8 @@ static bool turn(struct window *window)
         window->opening = 0;
     }
     window_act(window);
-    if (window->panel.note != NULL && now > window->panel.note_ends) {
-        window->panel.note = NULL;
+    if (window->panel.note[0] != '\0' && now > window->panel.note_ends) {
+        window->panel.note[0] = '\0';
         window->dirty = true;
     }
     window->stale |= window->moved;

@@ -139,7 +139,7 @@ check 'the export of a shader that reads the last frame is refused' keeps
 
 buffers() {
     ! prints "$BUILD/01_normal_colouring" -f tests/shaders/buffers/AB.json && [ ! -s "$scratch/toy.frag" ] &&
-        grep -q 'AB.json: an export of several passes' "$scratch/err"
+        grep -q 'AB.json: has several passes' "$scratch/err"
 }
 check 'the export of several passes is refused' buffers
 

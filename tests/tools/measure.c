@@ -6,6 +6,7 @@
 
 #include "platform.h"
 #include "lib/bound.h"
+#include "lib/bounces.h"
 #include "lib/checkers.h"
 #include "lib/filter.h"
 #include "lib/glass.h"
@@ -333,6 +334,10 @@ static const struct measurement {
      occlusion_print},
     {"paths", "the light of chapters 13 and 14, against paths of light in their scenes", true,
      paths_print},
+    {"bounces", "chapter 24's mean light, its error against the number of frames, its bounces",
+     true, bounces_print},
+    {"quiet", "chapter 24's filter, and what is kept while the eye moves, against many frames",
+     true, bounces_print_quiet},
     {"glass", "share of the light that glass reflects; light missing after a number of surfaces",
      true, glass_print},
     {"gloss", "share of the light that a highlight sends back", false, print_gloss},

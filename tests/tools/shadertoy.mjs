@@ -24,21 +24,22 @@ const folder = process.argv[2], picture = path.join(fs.mkdtempSync(path.join(os.
 const [before, behind] = fs.readFileSync('tests/lib/shadertoy.glsl', 'utf8').split('// ---- the shader ----\n');
 const TYPES = {cubemap: 'samplerCube', volume: 'sampler3D'};
 
-// The passes of an export in the order in which Shadertoy draws them, the picture last: {text, reads, keeps}, where keeps
-// is the index of the buffer that a pass draws, and reads lists which buffer a channel reads, and how. Returns null if a
-// cube map is drawn. As on the graphics cards of desktops, mediump and lowp are highp: Mesa's renderer for WebGL gives
-// such numbers only 16 bits.
+// The passes of an export in the order in which Shadertoy draws them, the picture last: {text, reads, keeps}, where
+// keeps is the index of the buffer that a pass draws, and reads lists which buffer a channel reads, how, and the place
+// of the pass in the file (at). Returns null if a cube map is drawn. As on the graphics cards of desktops, mediump and
+// lowp are highp: Mesa's renderer for WebGL gives such numbers only 16 bits.
 function passesOf(json) {
     const [root] = [json].flat(), row = (root.Shader ?? root).renderpass ?? [], all = (type) => row.filter((pass) => pass.type === type);
     if (all('image').length === 0 || row.some(({type}) => !['buffer', 'image', 'common', 'sound'].includes(type))) return null;
     const ids = [...new Set(all('buffer').map(({outputs}) => String(outputs[0].id)))];
-    return [...all('buffer'), all('image')[0]].map(({type, code, inputs, outputs}) => {
+    return [...all('buffer'), all('image')[0]].map((pass) => {
+        const {type, code, inputs, outputs} = pass;
         let head = before;
         for (const {channel, ctype, type} of inputs ?? []) head = head.replace(`sampler2D iChannel${channel};`, `${TYPES[ctype ?? type] ?? 'sampler2D'} iChannel${channel};`);
         const end = type === 'buffer' ? behind.replace('vec4(0.0, 0.0, 0.0, 1.0)', 'vec4(0.0)').replace('vec4(c.rgb, 1.0)', 'c') : behind;
         return {text: `${head}${all('common')[0]?.code ?? ''}\n${code}\n${end}`.replace(/\b(mediump|lowp)\b/g, 'highp'),
             keeps: type === 'buffer' ? ids.indexOf(String(outputs[0].id)) : -1,
-            reads: (inputs ?? []).filter((input) => (input.ctype ?? input.type) === 'buffer').map(({channel, id, sampler}) => ({channel, buffer: ids.indexOf(String(id)), ...sampler}))};
+            reads: (inputs ?? []).filter((input) => (input.ctype ?? input.type) === 'buffer').map(({channel, id, sampler}) => ({channel, buffer: ids.indexOf(String(id)), at: row.indexOf(pass), ...sampler}))};
     });
 }
 
@@ -67,7 +68,7 @@ async function compare({passes, png, width, height, time, frame}) {
         gl.clear(gl.COLOR_BUFFER_BIT);
         return {texture, framebuffer};
     };
-    const reads = passes.flatMap((pass) => pass.reads).filter(({buffer}) => buffer >= 0);
+    const reads = passes.flatMap((pass) => pass.reads).filter(({buffer}) => buffer >= 0).sort((a, b) => a.at - b.at); // in the order of the file
     const buffers = [0, 1, 2, 3, 4, 5, 6, 7].map(() => ({pair: null, last: 0}));
     for (const {keeps} of passes) if (keeps >= 0) buffers[keeps].pair ??= [target(), target()];
     const level = (buffer) => reads.some((read) => read.buffer === buffer && read.filter === 'mipmap') && gl.generateMipmap(gl.TEXTURE_2D);

@@ -368,7 +368,8 @@ IN_PROJECT(test_the_driver_gets_the_expanded_text)
     source = read_well("#version 330 core\nx\n");
     text = shader_text(&source, VIEW_PICTURE);
     assert_string_equal(text, "#version 330 core\n"
-                              "#extension GL_ARB_shading_language_420pack : enable\n\nx\n");
+                              "#extension GL_ARB_shading_language_420pack : enable\n"
+                              "#extension GL_ARB_shading_language_packing : enable\n\nx\n");
     free(text);
     shader_free(&source);
 }

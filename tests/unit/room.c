@@ -182,7 +182,7 @@ TEST(every_chapter_begins_with_room)
         asking += gpu.renderer.program[VIEW_ROOM] != 0;
     }
     closedir(folder);
-    assert_int_equal(asking, 17);
+    assert_int_equal(asking, 18);
 }
 
 TESTS(gpu_setup, gpu_teardown)

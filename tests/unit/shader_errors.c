@@ -122,13 +122,13 @@ IN_PROJECT(test_logs_of_other_drivers_are_explained)
 // line.
 IN_PROJECT(test_errors_in_other_dialects_have_the_right_line)
 {
-    assert_explained("#version 330 core\nint f() { return 1.0; }\n", "0:4(11): error: bad\n",
+    assert_explained("#version 330 core\nint f() { return 1.0; }\n", "0:5(11): error: bad\n",
                      "@:2: error: bad\n    int f() { return 1.0; }\n");
     assert_explained("\n#version 330 core\nx\n", "0:1(1): error: bad\n",
                      "@:2: error: bad\n    #version 330 core\n");
     assert_explained(
         "#version 330 core\n#extension GL_NONE : require\n",
-        "0:3(12): error: extension `GL_NONE' unsupported\n",
+        "0:4(12): error: extension `GL_NONE' unsupported\n",
         "@:2: error: extension `GL_NONE' unsupported\n    #extension GL_NONE : require\n");
     assert_explained("void mainImage(out vec4 c, vec2 p) {\n", "0:99(1): error: bad\n",
                      "@:1: error: bad\n    void mainImage(out vec4 c, vec2 p) {\n");

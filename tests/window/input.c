@@ -194,6 +194,18 @@ TEST_WITH(a_held_key_moves, set_up, NULL)
     assert_true(fabs(travelled() - 0.25) < 1e-5);
 }
 
+// In a slow frame, the press and the release of a tap arrive at the same time; it moves the camera.
+TEST_WITH(a_tap_moves_however_slow_the_frames_are, set_up, NULL)
+{
+    user.now = 1.0;
+    user_press(GLFW_KEY_W, 0);
+    user_release(GLFW_KEY_W);
+    assert_true(fabs(travelled() - 0.06) < 1e-5);
+    user.now = 2.0;
+    user_release(GLFW_KEY_W); // of a press in another window
+    assert_true(fabs(travelled() - 0.06) < 1e-5);
+}
+
 // A key's way is its direction: how far to the right, up and forward. Right and forward are those
 // of the camera, but up is that of the world.
 TEST_WITH(each_key_has_its_direction, set_up, NULL)
@@ -337,8 +349,8 @@ TEST_WITH(a_field_accepts_only_numbers, set_up, NULL)
     assert_false(tested.input.typing);
 }
 
-// Escape closes an open picker and does not pause. A press elsewhere closes the picker and selects
-// no ray. When the picker is closed, Escape pauses.
+// Escape closes an open picker and does not resume. A press elsewhere closes the picker and selects
+// no ray. When the picker is closed, Escape resumes.
 TEST_WITH(a_picker_closes, set_up, NULL)
 {
     struct parameter colour = {.name = "tint",
@@ -349,11 +361,12 @@ TEST_WITH(a_picker_closes, set_up, NULL)
     struct renderer coloured = {.gl = &gl, .parameters = {.item = &colour, .count = 1}};
     tested.renderer = &coloured;
     tested.panel.overlay.scale = 1.0f;
+    tested.paused = true;
     window_picker_open(&tested);
     assert_true(tested.input.picker_open);
     user_press(GLFW_KEY_ESCAPE, 0);
     window_act(&tested);
-    assert_false(tested.input.picker_open || tested.paused);
+    assert_true(!tested.input.picker_open && tested.paused);
     window_picker_open(&tested);
     drag(2, 1);
     assert_turned(10, 20);
@@ -374,7 +387,7 @@ TEST_WITH(a_picker_closes, set_up, NULL)
     assert_false(tested.input.picker_open);
     user_press(GLFW_KEY_ESCAPE, 0);
     window_act(&tested);
-    assert_true(tested.paused);
+    assert_false(tested.paused);
     // Once the picker is closed, a drag in the picture turns the camera again.
     drag(40, 0);
     assert_turned(16, 20);
@@ -387,11 +400,13 @@ TEST_WITH(every_key_is_listed, set_up, NULL)
     for (int i = 3; i <= SHADER_VIEW_COUNT; i++)
         snprintf(views + strlen(views), sizeof views - strlen(views), " %d", i);
     const char *const listed[][2] = {
-        {"move", "Z Q S D"},        {"up, down", "Space C"},  {"look around", "drag"},
-        {"capture mouse", "\",\""}, {"step back, on", "A E"}, {"select ray", "click"},
-        {"zoom", "wheel"},          {"view", views},          {"pause", "Esc"},
-        {"orthographic", "Tab"},    {"restart", "R"},         {"screenshot", "P"},
-        {"full screen", "F11"},     {"quit", "Backspace"}};
+        {"move", "Z Q S D"},      {"up, down", "Space C"},
+        {"look around", "drag"},  {"capture mouse", "\",\""},
+        {"step back, on", "A E"}, {"select ray", "click"},
+        {"zoom", "wheel"},        {"view", views},
+        {"pause", "Esc"},         {"orthographic", "Tab"},
+        {"screenshot", "P"},      {"full screen", "F11"},
+        {"quit", "Backspace"},    {"restart, with camera", "R Shift+R"}};
     tested.has_keyboard = true;
     window_list_keys(&tested);
     int usual = 0;
@@ -406,6 +421,18 @@ TEST_WITH(every_key_is_listed, set_up, NULL)
         assert_true(at < tested.panel.key_count);
         assert_string_equal(tested.panel.keys[at].label, listed[i][1]);
     }
+}
+
+// While a ray is selected, Home goes to its first step and does not show the contents.
+TEST_WITH(the_contents_are_offered_without_a_ray, set_up, NULL)
+{
+    const struct contents contents = {0};
+    struct window_start course = start;
+    course.contents = &contents;
+    tested.start = &course;
+    assert_true(window_key_acts(&tested, KEY_WITH_CONTENTS));
+    tested.inputs.pixel[0] = 3;
+    assert_false(window_key_acts(&tested, KEY_WITH_CONTENTS));
 }
 
 TESTS(NULL, NULL)

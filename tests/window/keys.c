@@ -7,6 +7,7 @@
 #include "platform.h"
 #include "shader/view.h"
 #include "window/keys.h"
+#include "window/state.h"
 
 #define CHAPTER "01_normal_colouring"
 
@@ -207,11 +208,8 @@ SESSION_TEST(time_runs_and_can_be_paused)
     assert_true(session_off(0, NULL) <= 0.0);
     session_key(GLFW_KEY_4); // the steps view, which a file with its own main does not have
     session_assert_title(" - picture");
-    assert_non_null(strstr(session_said(2), "steps"));
-    assert_true(session_off(0, NULL) > 0.01); // the overlay shows the message too
-    session_key(GLFW_KEY_1);
-    assert_true(session_off(0, NULL) <= 0.0); // the message disappears with the next view
-    session_key(GLFW_KEY_R);
+    assert_true(session_off(0, NULL) > 0.01); // the overlay says why
+    session_key(GLFW_KEY_R);                  // the next key removes what it says
     session_assert_shown("00_first_scene", "--size 160x100 --time 0");
     session_keep(0);
     session_key(GLFW_KEY_ESCAPE);
@@ -364,6 +362,29 @@ SESSION_TEST(a_key_that_does_nothing_says_why)
     session_close();
 }
 
+SESSION_TEST(a_still_picture_is_neither_paused_nor_restarted)
+{
+    session_open(CHAPTER, "--size 320x200 --shader chapters/01_normal_colouring.frag");
+    session_key(GLFW_KEY_ESCAPE);
+    assert_false(session_titled("(paused)"));
+    session_wait(6.0); // the overlay no longer says why
+    session_keep(0);
+    session_key(GLFW_KEY_R);
+    assert_true(session_off(0, (const int[]){8, 130, 300, 60}) > 0.1); // it says what else R does
+    session_close();
+}
+
+SESSION_TEST(a_selected_ray_changes_the_list_of_keys)
+{
+    session_open(CHAPTER, "--size 320x200 --shader chapters/01_normal_colouring.frag");
+    assert_null(strstr(session_window()->panel.hint, "X: deselect ray"));
+    session_key(GLFW_KEY_E); // the ray of the middle pixel
+    assert_non_null(strstr(session_window()->panel.hint, "X: deselect ray"));
+    session_key(GLFW_KEY_X);
+    assert_null(strstr(session_window()->panel.hint, "X: deselect ray"));
+    session_close();
+}
+
 SESSION_TEST(a_key_opens_the_shader_in_an_editor)
 {
     char text[4200], line[4200] = "";
@@ -386,6 +407,13 @@ SESSION_TEST(a_key_opens_the_shader_in_an_editor)
     }
     line[strcspn(line, "\n")] = '\0';
     assert_string_equal(line, scratch_path("flat.frag"));
+    session_close();
+    platform_set("VISUAL", "", true);
+    platform_set("EDITOR", "", true);
+    platform_set("PATH", scratch_path("nowhere"), true);
+    session_open(CHAPTER, "--size 320x200 --shader %s", scratch_path("flat.frag"));
+    session_key(GLFW_KEY_V);
+    assert_non_null(strstr(session_said(2), "no editor: set VISUAL"));
     session_close();
 }
 

@@ -4,6 +4,8 @@
 #include "lib/scratch.h"
 #include "lib/session.h"
 #include "picture/passes.h"
+#include "shader/text_file.h"
+#include "window/frames.h"
 #include "window/state.h"
 
 #define CHAPTER "01_normal_colouring"
@@ -25,6 +27,17 @@ static const char text[] =
     "    march(ray, 0.0, 9.0, 0.001, 64);\n"
     "    return gain * texelFetch(history, iPixel, 0).rgb;\n"
     "}\n";
+
+// The same without the time.
+static const char still[] =
+    GPU_COURSE "#include \"random.glsl\"\n"
+               "uniform sampler2D history; // the last frame\n"
+               "vec4 frameKept(vec2 pixel)\n"
+               "{\n"
+               "    return mix(texelFetch(history, iPixel, 0), vec4(pixelRandom(3)),\n"
+               "               1.0 / float(iFrame + 1));\n"
+               "}\n"
+               "vec3 rayColour(Ray ray) { return texelFetch(history, iPixel, 0).rgb; }\n";
 
 static int frame(void)
 {
@@ -195,6 +208,64 @@ SESSION_TEST(a_kept_frame_is_not_smoothed)
     assert_false(session_window()->sharpening.smooths);
     session_close();
     session_smooths = false;
+}
+
+// An export with buffers, whose frames do not depend on the time or the camera.
+SESSION_TEST(an_export_runs_in_a_window)
+{
+    char path[512], copy[512], *export = NULL;
+    snprintf(path, sizeof path, "%s/tests/shaders/buffers/AB.json", gpu_project_root());
+    export = text_file_read(path, copy);
+    assert_non_null(export);
+    snprintf(copy, sizeof copy, "%s", scratch_write("AB.json", export));
+    session_open_bare(CHAPTER, "--size 320x200 --shader %s --frame 40", copy);
+    session_wait(0.2);
+    int before = frame();
+    assert_true(before > 5 && before < 40);
+    session_click(120, 100); // the pointer and the ray are no part of the key
+    session_click(120, 100);
+    session_said(1);
+    assert_true(frame() > before);
+    session_wait(1.0);
+    assert_int_equal(frame(), 40);
+    session_assert_shown(CHAPTER, "--size 320x200 --shader %s --frame 40", copy);
+    user_resize(300, 200);
+    session_turn();
+    assert_true(frame() < 4);
+    session_wait(1.0);
+    session_assert_shown(CHAPTER, "--size 300x200 --shader %s --frame 40", copy);
+    scratch_write("AB.json", export);
+    session_wait(0.3);
+    session_said(1);
+    assert_true(frame() < 20);
+    session_wait(1.0);
+    assert_int_equal(frame(), 40);
+    session_key(GLFW_KEY_R);
+    session_turn();
+    assert_true(frame() < 4);
+    session_close();
+    free(export);
+}
+
+// Rounding would darken a mean in half floats, which telephones may have instead of floats.
+SESSION_TEST(a_mean_in_half_floats_stops)
+{
+    open("");
+    struct kept *kept = &session_window()->renderer->kept;
+    assert_int_equal(window_last_frame(session_window()), -1);
+    for (int i = 0; i < 2; i++)
+        kept->target[i].format = GL_RGBA16F;
+    assert_int_equal(window_last_frame(session_window()), -1); // it depends on the time
+    session_close();
+    scratch_write("mean.frag", still);
+    session_open_bare(CHAPTER, "--size 320x200 --shader %s", scratch_path("mean.frag"));
+    kept = &session_window()->renderer->kept;
+    assert_int_equal(window_last_frame(session_window()), -1);
+    for (int i = 0; i < 2; i++)
+        kept->target[i].format = GL_RGBA16F;
+    session_wait(2.0);
+    assert_int_equal(frame(), 63);
+    session_close();
 }
 
 // Scenes with the same shader pass their renderer on, and each begins with its frame 0.

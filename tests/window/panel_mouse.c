@@ -16,11 +16,14 @@ static const char rows[] =
     "#include \"main.glsl\"\n#include \"camera.glsl\"\n#include \"lighting.glsl\"\n"
     "Ray pixelRay(vec2 screen) { return perspectiveRay(screen); }\n"
     "float sceneDistance(vec3 p) { return 1.0 + fine * size; }\n"
-    "vec3 rayColour(Ray ray) { return lit ? encodeSRGB(tint) : vec3(0.0); }\n";
+    "vec3 rayColour(Ray ray) { return lit ? encodeSRGB(tint) : vec3(DARK); }\n";
 
-static void open_rows(int scale)
+//   timed  the shader reads the time, although its picture stays the same
+static void open_rows(int scale, bool timed)
 {
-    scratch_write("rows.frag", rows);
+    char text[sizeof rows + 64];
+    snprintf(text, sizeof text, "#define DARK %s\n%s", timed ? "min(iTime, 0.0)" : "0.0", rows);
+    scratch_write("rows.frag", text);
     session_open(CHAPTER, "--size %dx%d --overlay=%d --shader %s", scale * 480, scale * 270, scale,
                  scratch_path("rows.frag"));
 }
@@ -76,7 +79,7 @@ static void leave_panel(void)
 
 SESSION_TEST(a_row_changes_its_value)
 {
-    open_rows(1);
+    open_rows(1, false);
     session_assert_title("size = 5");
     drag(60, 50, 60, 0);
     assert_true(value() > 5.5);
@@ -113,7 +116,7 @@ SESSION_TEST(a_row_changes_its_value)
 // pointer is on the panel, so that a second click at the same position hits the same row.
 SESSION_TEST(rows_do_not_move_under_the_pointer)
 {
-    open_rows(1);
+    open_rows(1, false);
     session_click(60, 98);
     session_assert_title("tint = ");
     session_click(60, 86); // lit, the row above tint
@@ -135,7 +138,7 @@ SESSION_TEST(rows_do_not_move_under_the_pointer)
 // The row of a single component accepts one number. Ctrl+V pastes into its field.
 SESSION_TEST(a_component_is_typed_or_pasted)
 {
-    open_rows(1);
+    open_rows(1, false);
     session_click(60, 98);
     leave_panel();
     double_click(60, 110); // the row of the green component, below the red one
@@ -156,7 +159,7 @@ SESSION_TEST(a_component_is_typed_or_pasted)
 
 SESSION_TEST(words_act_as_buttons)
 {
-    open_rows(1);
+    open_rows(1, false);
     session_keep(0);
     session_click(60, 30); // opens the list of views
     session_click(60, 30 + 12 * 3);
@@ -166,14 +169,12 @@ SESSION_TEST(words_act_as_buttons)
     leave_panel(); // closes the list of views
     session_turn();
     assert_true(session_off(0, NULL) <= 0.0);
-    session_click(28, 128);
-    session_assert_title("(paused)");
-    session_click(28, 128);
-    assert_false(session_titled("(paused)"));
-    session_click(126, 128); // the button for the next step selects the ray of the middle pixel
+    // There is no button that pauses a still picture. The one for the next step selects the ray of
+    // the middle pixel.
+    session_click(87, 128);
     assert_non_null(strstr(session_said(1), "ray of pixel 240,135"));
     session_key(GLFW_KEY_X);
-    session_click(165, 128); // the button that hides the panel
+    session_click(126, 128); // the button that hides the panel
     leave_panel();
     session_assert_shown(CHAPTER, "--size 480x270 --shader %s", scratch_path("rows.frag"));
     point(60, 18);
@@ -187,9 +188,19 @@ SESSION_TEST(words_act_as_buttons)
     session_close();
 }
 
+SESSION_TEST(a_button_pauses)
+{
+    open_rows(1, true);
+    session_click(28, 128);
+    session_assert_title("(paused)");
+    session_click(28, 128);
+    assert_false(session_titled("(paused)"));
+    session_close();
+}
+
 SESSION_TEST(numbers_are_typed)
 {
-    open_rows(1);
+    open_rows(1, true);
     session_click(60, 50);
     session_keep(0);
     const int row[4] = {150, 49, 8, 6}; // a field is dark to the end of its row
@@ -268,7 +279,7 @@ static void assert_panel(int x, int y, bool there)
 
 SESSION_TEST(the_panel_moves_collapses_and_helps)
 {
-    open_rows(1);
+    open_rows(1, false);
     session_keep(0);
     point(60, 50);
     session_wait(2.0);
