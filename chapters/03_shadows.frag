@@ -92,10 +92,13 @@ vec3 warmLight(vec3 p, vec3 normal)
     return seen * lampLight(normal, toLamp, LAMP_COLOUR);
 }
 
-// A dark sky, lighter towards the bottom.
+// A dark hall: far below the stage, a pool of cold light on the floor, which fades towards the horizon.
 vec3 skyLight(vec3 direction)
 {
-    return mix(vec3(0.030, 0.075, 0.11), vec3(0.003, 0.007, 0.018), smoothstep(-0.5, 0.3, direction.y));
+    float down = max(-direction.y, 0.0);
+    vec2 aside = direction.xz - down * vec2(-0.9, -2.2);
+    float pool = down * down / (down * down + 0.4 * dot(aside, aside) + 0.001);
+    return mix(vec3(0.003, 0.006, 0.016), vec3(0.06, 0.14, 0.18), pool);
 }
 
 vec3 rayColour(Ray ray)

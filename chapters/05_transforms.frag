@@ -210,6 +210,17 @@ vec3 waterNormal(vec2 xz, float t)
     return normalize(vec3(-slope.x, 1.0, -slope.y));
 }
 
+// The share of the water that foam covers at a distance d from the nearest object. The foam is closed
+// at the object, and farther away torn into threads, along which a sum of waves is about 0.
+float foamShare(vec2 xz, float d)
+{
+    vec2 bent = xz + 0.03 * sin(15.0 * xz.yx + vec2(0.7, 0.4) * iTime);
+    vec4 wave = sin(vec4(41.0, -57.0, 93.0, 11.0) * bent.x + vec4(53.0, 39.0, -71.0, 127.0) * bent.y);
+    float thread = abs(dot(wave, vec4(0.4, 0.4, 0.3, 0.3)));
+    float near = max(1.0 - d / (0.10 + 0.05 * sin(7.0 * xz.x - 9.0 * xz.y)), 0.0);
+    return (1.0 - 0.8 * smoothstep(0.5 * near - 0.1, 0.7 * near + 0.1, thread)) * smoothstep(0.0, 0.8, near);
+}
+
 // ---- The picture ----
 
 // True for a hit on an object, which is any hit that is not on the sea.
@@ -231,10 +242,14 @@ vec3 rayColour(Ray ray)
     vec3 normal = hit.found ? normalAt(p, 0.002) : vec3(0.0, 1.0, 0.0);
     normal = thing ? normal : waterNormal(p.xz, t);
 
-    // The second ray goes from an object to the sun, or from the water in the mirrored direction.
+    // Foam is as matt as an object, and both are wet at the waterline.
+    float gap = thingsDistance(p), foam = foamShare(p.xz, gap);
+    bool matt = thing || foam > 0.5;
+
+    // The second ray goes from a matt surface to the sun, or from the water in the mirrored direction.
     vec3 mirrored = sky ? ray.direction : reflect(ray.direction, normal);
     mirrored.y = abs(mirrored.y);
-    Ray next = shadowRay(p, normal, thing ? toSun : mirrored, 0.03);
+    Ray next = shadowRay(p, normal, matt ? toSun : mirrored, 0.03);
     interval = thingsInterval(next);
     Hit second = march(next, interval.x, interval.y, hitThreshold, maxSteps);
     vec3 q = next.origin + second.t * next.direction;
@@ -244,8 +259,11 @@ vec3 rayColour(Ray ray)
     vec3 image = skyLight(mirrored, toSun) + sunGlare(mirrored, toSun, !sky);
     float share = schlickShare(max(dot(normal, -ray.direction), 0.0), 0.02);
     vec3 paint = colourAt(thing ? p : q);
-    vec3 ofThing = paint * receivedLight(normal, toSun, second.found) + 0.6 * share * image;
-    vec3 ofWater = mix(deepLight(p.y), atThing(second, q) ? 0.6 * paint : image, share);
+    paint *= thing ? mix(0.4, 1.0, smoothstep(0.01, 0.05, seaDistance(p))) : 1.0;
+    vec3 received = receivedLight(normal, toSun, second.found);
+    vec3 ofThing = paint * received + 0.6 * share * image;
+    vec3 ofWater = mix(deepLight(p.y), atThing(second, q) && !matt ? 0.6 * paint : image, share);
+    ofWater = mix(ofWater * smoothstep(-0.1, 0.2, gap), 0.8 * received, foam);
     vec3 haze = skyLight(vec3(ray.direction.x, 0.0, ray.direction.z), toSun);
     ofWater = mix(haze, ofWater, exp(-0.012 * t));
     return encodeSRGB(sky ? image : (thing ? ofThing : ofWater));

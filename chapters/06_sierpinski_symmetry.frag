@@ -125,14 +125,35 @@ vec3 sunDirection()
     return vec3(cos(elevation) * vec2(cos(azimuth), sin(azimuth)), sin(elevation)).xzy;
 }
 
-// The evening sky: blue above, a warm band above the horizon, which is warmest towards the sun, and
-// haze below the horizon.
+// A range of mountains that rises from the mist in front of what is behind it.
+//   around, high    the direction: along the horizon, in quarters of a turn, and the sine of its elevation
+//   foot            sine of the elevation up to which the mist hides the rock
+//   peaks, heights  peaks of four kinds: how many of them fit into a quarter of a turn, and twice their heights. The
+//                   horizon closes without a seam if each number of peaks is a multiple of 1/4.
+vec3 mountains(vec3 behind, vec3 rock, vec3 mist, float around, float high, float foot, vec4 peaks, vec4 heights)
+{
+    float crest = foot + dot(heights, abs(fract(peaks * around + vec4(0.1, 0.4, 0.7, 0.2)) - 0.5));
+    vec3 veiled = mix(mist, rock, clamp(9.0 * (high - foot), 0.0, 1.0));
+    return mix(behind, veiled, clamp((crest - high) / (1.5 * pixelSpread()), 0.0, 1.0));
+}
+
+// The evening sky: blue above, and a warm band above the horizon, which is warmest towards the sun.
+// Below it lies a valley full of mist, with two ranges of mountains and, nearer, the tops of a
+// forest, which show how large the pyramid is.
 vec3 skyLight(vec3 direction, vec3 toSun)
 {
-    float facing = 0.5 + 0.5 * dot(direction, toSun);
+    float facing = 0.5 + 0.5 * dot(direction, toSun), high = direction.y;
+    float side = direction.x / max(abs(direction.x) + abs(direction.z), 1e-6);
+    float around = direction.z < 0.0 ? side : 2.0 - side;
     vec3 band = mix(vec3(0.09, 0.10, 0.20), vec3(1.40, 0.58, 0.16), facing * facing);
-    vec3 sky = mix(band, vec3(0.008, 0.024, 0.085), smoothstep(0.0, 0.36, direction.y));
-    return mix(vec3(0.05, 0.065, 0.12), sky, smoothstep(-0.14, 0.06, direction.y));
+    vec3 sky = mix(band, vec3(0.008, 0.024, 0.085), smoothstep(0.0, 0.36, high));
+    vec3 mist = mix(vec3(0.10, 0.11, 0.19), vec3(0.80, 0.40, 0.22), facing * facing) * clamp(1.1 + 1.5 * high, 0.3, 1.0);
+    sky = mountains(sky, vec3(0.06, 0.07, 0.15), mist, around, high, 0.0,
+                    vec4(1.25, 3.0, 7.25, 19.0), vec4(0.16, 0.10, 0.05, 0.015));
+    sky = mountains(sky, vec3(0.03, 0.04, 0.09), mist, around, high, -0.06,
+                    vec4(1.0, 2.25, 9.5, 31.0), vec4(0.14, 0.08, 0.03, 0.008));
+    return mountains(sky, vec3(0.012, 0.018, 0.045), mist, around, high, -0.18,
+                     vec4(1.5, 53.0, 97.0, 161.0), vec4(0.17, 0.010, 0.012, 0.012));
 }
 
 // The light that arrives from the sun. A ray is marched only where the surface faces the sun, and

@@ -173,21 +173,39 @@ vec3 groundColour(Surface surface, float asphalt)
     return mix(vec3(0.27, 0.25, 0.23), vec3(0.06, 0.062, 0.07) + 0.5 * dash, asphalt);
 }
 
-// The random number differs for each window on each side of each tower, and for each leaf.
+// The brightness of the uppermost leaf at a point of a crown. Four layers cover each other; each is a grid of cells,
+// turned from the one below it, with one leaf in each cell: an ellipsoid, paler towards its tip. A dark gap shows
+// where no layer has a leaf.
+float leafAt(vec3 p)
+{
+    float shade = 0.3;
+    vec3 q = 22.0 * p;
+    for (int layer = 0; layer < 4; layer++) {
+        q = vec3(0.8 * q.y - 0.6 * q.z, 0.6 * q.y + 0.8 * q.z, q.x) + 0.37;
+        vec3 inside = fract(q) - 0.5;
+        float random = cellRandom(ivec3(floor(q)));
+        bool leaf = length(inside * vec3(1.0, 2.2, 1.0)) < 0.5;
+        shade = leaf ? 0.5 + 0.9 * random + inside.x : shade;
+    }
+    return shade;
+}
+
+// The random number differs for each window on each side of each tower.
 Material materialAt(Surface surface, vec3 sun)
 {
     vec3 local = surface.block.local, normal = surface.normal;
     vec2 at = vec2(abs(normal.x) > 0.5 ? local.z : local.x, surface.p.y) / BAY.xy + vec2(0.5, 0.0);
     float side = 4096.0 * surface.block.random + sign(normal.x + 2.0 * normal.z);
-    float random = cellRandom(surface.tower ? ivec3(floor(at), side) : ivec3(floor(32.0 * surface.p)));
+    float random = cellRandom(ivec3(floor(at), side));
     vec2 windows = windowsAt(surface, at, random, sun);
     vec2 road = 0.5 * PERIOD - abs(local.xz);
     float asphalt = coverage(0.72 - min(road.x, road.y), surface.width / surface.facing);
 
     vec3 wall = mix(vec3(0.46, 0.33, 0.24), vec3(0.36, 0.38, 0.42), fract(16.0 * surface.block.random));
     vec3 tower = mix(wall, vec3(0.015, 0.02, 0.025), windows.x);
-    float leaf = mix(0.45 + 1.1 * random, 1.0, min(32.0 * surface.width, 1.0));
-    vec3 other = surface.lamp ? vec3(0.04) : vec3(0.045, 0.085, 0.025) * leaf;
+    float leaf = mix(leafAt(surface.p), 1.0, min(32.0 * surface.width, 1.0));
+    vec3 tree = surface.p.y < 0.3 ? vec3(0.07, 0.05, 0.035) : vec3(0.045, 0.085, 0.025) * leaf; // trunk or crown
+    vec3 other = surface.lamp ? vec3(0.04) : tree;
     vec3 colour = surface.ground ? groundColour(surface, asphalt) : surface.tower ? tower : other;
     bool bulb = surface.lamp && length(fromBulb(surface)) < 0.06;
     float glow = 0.25 * windows.x * windows.y + (bulb ? 1.3 * lampsOn(sun) : 0.0);
@@ -208,14 +226,16 @@ float lightSeen(Surface surface, vec3 toLight)
 }
 
 // The light that a matt surface receives: the beam of the sun or the moon, the light of the whole
-// sky, a little of the beam that the streets scatter, and the light of the nearest lamp.
+// sky, a little of the beam that the streets scatter, and the light of the nearest lamp, which shines mostly downwards.
 //   direct  the part of the beam that arrives: all of it, or black in the shade
 vec3 receivedLight(Surface surface, vec3 sun, vec3 beam, vec3 direct)
 {
     vec3 around = skyAmbient(sun, airDepth()) + 0.1 * beam, toBulb = -fromBulb(surface);
-    float catches = lampsOn(sun) * lambert(surface.normal, normalize(toBulb)) / (0.1 + dot(toBulb, toBulb));
+    float square = dot(toBulb, toBulb), down = max(toBulb.y, 0.0);
+    float catches = lampsOn(sun) * lambert(surface.normal, normalize(toBulb)) / (0.1 + square);
+    catches *= 0.05 + 0.95 * down * down / square;
     vec3 open = direct * lambert(surface.normal, lightDirection(sun)) + (0.6 + 0.4 * surface.normal.y) * around;
-    return open + 0.08 * catches * LAMPLIGHT;
+    return open + 0.9 * catches * LAMPLIGHT;
 }
 
 // The sky reflected in panes, and the sun or moon reflected in asphalt. Both reflections are stronger

@@ -59,14 +59,15 @@ float cameraRoom(vec3 p)
 
 // The interval in which a ray can meet the scene. It begins where the ray enters a box around
 // objects or, if the ray misses the boxes, just in front of the table or the wall, and ends a little
-// behind that table or wall.
+// behind that table or wall. It never begins behind the ray's origin, which may be on the silver ball.
 vec2 sceneInterval(Ray ray)
 {
     vec2 things = thingsInterval(ray);
     float table = ray.direction.y < 0.0 ? -ray.origin.y / ray.direction.y : FAR;
     float wall = ray.direction.z < 0.0 ? (WALL - ray.origin.z) / ray.direction.z : FAR;
     float end = min(table, wall);
-    return vec2((things.x < things.y ? min(things.x, end) : end) - 0.01, end + 0.3);
+    float begin = (things.x < things.y ? min(things.x, end) : end) - 0.01;
+    return vec2(max(begin, 0.0), end + 0.3);
 }
 
 // ---- Materials, determined once, at the hit ----

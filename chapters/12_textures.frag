@@ -40,9 +40,9 @@ const float BALL = 0.28;                      // radius of the ball, scene units
 const float REPEATS = 1.8;                    // repeats of the granite per scene unit
 const float WEAVE = 0.8;                      // repeats of the plank and of the cloth per scene unit
 const vec3  SUN = vec3(-0.899, 0.345, 0.269); // direction to the sun, length 1
-const vec3  SUN_COLOUR = vec3(2.2, 1.62, 1.05);
-const vec3  SKY_COLOUR = vec3(0.13, 0.18, 0.26);
-const vec3  EARTH_COLOUR = vec3(0.028, 0.03, 0.034);
+const vec3  SUN_COLOUR = vec3(3.2, 1.95, 0.98);
+const vec3  SKY_COLOUR = vec3(0.11, 0.17, 0.29);
+const vec3  EARTH_COLOUR = vec3(0.070, 0.052, 0.042);
 
 Ray pixelRay(vec2 screen)
 {
@@ -202,10 +202,10 @@ Material materialAt(vec3 p, vec3 direction, float width, bool hit)
     int axis = facing.y > 0.6 ? 1 : (facing.x > facing.z ? 0 : 2);
     Slide slide = slideAlong(WEAVE * p, footprintSeen(f, mat3(1.0), WEAVE), axis);
     vec3 linen = 0.55 * textureOnSlide(cloth, slide).rgb, wood = textureOnSlide(plank, slide).rgb;
-    vec3 earth = mix(vec3(0.016, 0.014, 0.012), vec3(0.10, 0.085, 0.07), pale);
+    vec3 earth = mix(vec3(0.05, 0.032, 0.018), vec3(0.20, 0.14, 0.085), pale);
     vec3 colour = isCloth ? linen : (isPlank ? wood : (hit ? stone : earth));
     float white = frost * smoothstep(0.3, 0.95, normal.y) * smoothstep(0.35, 0.6, pale + 0.25 * frost);
-    colour = mix(colour, vec3(0.62, 0.66, 0.72), isBall ? 0.0 : (isStone || !hit ? white : 0.5 * white));
+    colour = mix(colour, vec3(0.58, 0.66, 0.80), isBall ? 0.0 : (isStone || !hit ? white : 0.5 * white));
     return Material(colour, normal, isBall ? 1.0 : 0.0);
 }
 
@@ -214,9 +214,9 @@ Material materialAt(vec3 p, vec3 direction, float width, bool hit)
 // A clear sky, paler towards the horizon and warm towards the low sun.
 vec3 skyLight(vec3 direction, vec3 sun)
 {
-    vec3 sky = mix(vec3(0.46, 0.53, 0.60), vec3(0.07, 0.16, 0.34), 1.0 - exp(-3.6 * max(direction.y, 0.0)));
-    float facing = max(dot(direction, sun), 0.0);
-    return sky + facing * facing * vec3(0.55, 0.36, 0.18);
+    float low = exp(-4.0 * max(direction.y, 0.0)), facing = 0.5 + 0.5 * dot(direction, sun);
+    vec3 sky = mix(vec3(0.04, 0.14, 0.40), vec3(0.37, 0.43, 0.52), low);
+    return sky + facing * facing * facing * vec3(1.5, 0.70, 0.16) * low;
 }
 
 vec3 rayColour(Ray ray)

@@ -28,10 +28,9 @@ const vec3  HIGH = vec3(6.9, 2.78, 2.9);
 const float EDGE = -5.2;                            // z at which the floor ends, scene units
 const float FAR = 60.0;
 const float LONGEST_SHADOW = 10.0;                  // longest shadow with the sun at least 17 degrees high, scene units
-const vec3  SUN_COLOUR = vec3(1.36, 1.00, 0.68);    // light of the sun on a surface that faces it, linear RGB
-const vec3  SKY_COLOUR = vec3(0.25, 0.35, 0.53);    // light from above
-const vec3  EARTH_COLOUR = vec3(0.54, 0.40, 0.31);  // light from below, reflected by the floor
-const vec3  GLOW_COLOUR = vec3(0.22, 0.13, 0.06);   // light from the bright sky around the sun
+const vec3  SUN_COLOUR = vec3(1.40, 0.95, 0.55);    // light of the sun on a surface that faces it, linear RGB
+const vec3  SKY_COLOUR = vec3(0.38, 0.55, 0.75);    // light from above; fitted to paths, like the next
+const vec3  EARTH_COLOUR = vec3(0.80, 0.68, 0.58);  // light from below: from the horizon and the floor
 const vec3  STONE = vec3(0.80, 0.76, 0.70);
 const vec3  SANDSTONE = vec3(0.62, 0.55, 0.46);     // of the steps: dark enough for the sun on their risers
 const vec4  BALL = vec4(0.1, 0.42, -1.7, 0.42);     // centre and radius
@@ -173,15 +172,15 @@ float sunSeen(Surface surface, vec3 toSun)
 }
 
 // The light of everything but the sun.
-vec3 ambientLight(vec3 normal, vec3 toSun)
+vec3 ambientLight(vec3 normal)
 {
-    return mix(EARTH_COLOUR, SKY_COLOUR, 0.5 + 0.5 * normal.y) + (0.5 + 0.5 * dot(normal, toSun)) * GLOW_COLOUR;
+    return mix(EARTH_COLOUR, SKY_COLOUR, 0.5 + 0.5 * normal.y);
 }
 
 // The light that reaches the eye. The shadow darkens only the sun's light.
 vec3 surfaceLight(Surface surface, Ray ray, vec3 toSun, float seen)
 {
-    vec3 light = ambientLight(surface.normal, toSun) + seen * lambert(surface.normal, toSun) * SUN_COLOUR;
+    vec3 light = ambientLight(surface.normal) + seen * lambert(surface.normal, toSun) * SUN_COLOUR;
     return surface.open ? skyLight(ray.direction, toSun) : surface.colour * light;
 }
 

@@ -35,11 +35,13 @@ float sceneDistance(vec3 p)
     return min(courtyardDistance(p), trough);
 }
 
-// An overcast sky, nearly three times as bright at the zenith as at the horizon.
+// An overcast sky, nearly three times as bright at the zenith as at the horizon. Only the eye sees the folds of the
+// clouds; the light of the court is that of a uniform sky.
 vec3 skyLight(vec3 direction)
 {
     float up = max(direction.y, 0.0);
-    return mix(vec3(0.70, 0.73, 0.76), vec3(0.80, 0.85, 0.90), up) * (0.62 + 0.9 * up);
+    float fold = octaveNoise(vec3(2.0, 2.0, 3.5) * direction / (0.2 + up), 3, 0.5, 2.0).x;
+    return (0.8 + 0.4 * fold) * mix(vec3(0.70, 0.73, 0.76), vec3(0.80, 0.85, 0.90), up) * (0.62 + 0.9 * up);
 }
 
 // The openness of a point (see occlusion.glsl), estimated from five taps.

@@ -64,9 +64,9 @@ vec2 prismPlan(vec2 p)
 // exact outside.
 float prismDistance(vec3 p)
 {
-    const float r = PRISM_RADIUS - 0.015, corner = 1.7320508 * r;
+    const float r = PRISM_RADIUS - 0.004, corner = 1.7320508 * r;
     float triangle = sdTriangle(prismPlan(p.xz), vec2(-corner, -r), vec2(corner, -r), vec2(0.0, 2.0 * r));
-    return opRound(opExtrude(triangle, p.y - PRISM.y, 0.305), 0.015);
+    return opRound(opExtrude(triangle, p.y - PRISM.y, 0.316), 0.004);
 }
 
 float tumblerDistance(vec3 p)

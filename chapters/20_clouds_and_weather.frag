@@ -187,8 +187,11 @@ Surface surfaceAlong(Ray ray)
     vec3 p = ray.origin + t * ray.direction, part = coastDistances(p);
     vec4 grain = valueNoise(land ? vec3(1.7, 7.0, 1.7) * p : vec3(1.3 * p.xz + 0.3 * iTime, 0.6 * iTime));
     vec3 normal = land ? normalAt(p, hitThreshold + spread * t) : waveNormal(p, grain, width);
-    bool rock = land && part.x < min(part.y, part.z);
-    normal = rock ? bumpedNormal(normal, 0.055 * vec3(1.7, 7.0, 1.7) * grain.yzw) : normal;
+    if (land && part.x < min(part.y, part.z)) { // rock, in thick layers of thin ones
+        vec4 thin = exp(-14.0 * width) * (valueNoise(vec3(6.1, 29.0, 6.1) * p + 2.0 * grain.x) - vec4(0.5, 0.0, 0.0, 0.0));
+        normal = bumpedNormal(normal, 0.055 * vec3(1.7, 7.0, 1.7) * grain.yzw + 0.022 * vec3(6.1, 29.0, 6.1) * thin.yzw);
+        grain.x = clamp(grain.x + 0.9 * thin.x, 0.0, 1.0);
+    }
     if (land || water) { // the views and the probe show every hit, including the sea
         traceNormal(normal);
         traceMarch(trace.steps, t, END_HIT);

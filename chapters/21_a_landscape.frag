@@ -169,7 +169,7 @@ struct Surface {
 
 Surface surfaceAt(vec3 p, vec3 direction, float width, bool met, bool thing)
 {
-    vec2 slope = higherGround(hills(inValley(p.xz)), shore(inValley(p.xz))).yz; // at a grazing angle a pixel covers more ground
+    vec2 slope = higherGround(hills(inValley(p.xz)).xyz, shore(inValley(p.xz))).yz; // at a grazing angle a pixel covers more ground
     float facing = abs(dot(direction, normalize(vec3(-fromValley(slope), 1.0)).xzy));
     float count = log2(1.2 * sqrt(facing) / (CELLS * width)) / log2(LACUNARITY);
     vec4 land = landAt(inValley(p.xz), met ? clamp(count, 1.0, 12.0) : 0.0);
@@ -251,6 +251,7 @@ vec3 rayColour(Ray ray)
     vec3 fog = fogLight(direction, now.toLight, 0.5 * now.sky, 0.25 * now.beam, 0.7);
     float height = lake ? 0.0 : ray.origin.y, last = lake ? then : t;
     light = throughFog(light, fog, met ? fogDepth(height, direction.y, last, density, MIST_SCALE) : 0.0);
+    light = mix(light, sky, smoothstep(0.85 * FAR, FAR, t)); // land appears slowly
     float share = schlickShare(clamp(-dot(ray.direction, facet), 0.0, 1.0), 0.02);
     vec3 deep = vec3(0.012, 0.035, 0.035) * (now.sky + 0.3 * max(now.toLight.y, 0.0) * now.beam);
     vec3 ofLake = mix(deep, light + (met ? 0.0 : open) * glitter(ray.direction, now.toLight, waves, now.sun.y > -0.05 ? now.beam : now.dimmed * now.beam), share);

@@ -21,10 +21,19 @@ const float RIDGES = 3.6;                   // ridges add at most this factor ti
 const float HILL_SLOPE = 0.45;              // no hill is steeper than this
 const float SHORE_SLOPE = 0.204;            // the shore is no steeper than this
 const float HIGHEST = 18.8;                 // no land is higher: 4.4 + RIDGES (4.4 - FOOT), with hills up to 4.4
+const vec2  MIDDLE = vec2(20.0, 95.0);      // centre of a circle that contains the valley: right, ahead
+const vec3  SWELL_X = vec3(0.0023, -0.0087, -0.0053); // periods of the three waves of the land around, per unit to the right
+const vec3  SWELL_Z = vec3(0.0084, 0.0044, -0.0042); // the same, per unit ahead
+const vec3  SWELL = vec3(18.0, 16.0, 20.0); // 16 times the heights of these waves, scene units
+const float SWELL_SUNK = 0.975;             // depth of their mean below the water: no crest is higher than 2.4
+const vec3  SWELL_START = vec3(0.83, 0.39, 0.15);   // where they begin, periods
+const vec3  SWELL_STEP = vec3(0.731, 0.818, 0.692); // how far they move from one seed to the next, periods
+const float SEA_FOOT = -1.6;                // their FOOT: ridges that begin below the water give the coast its bays
 
 uniform sampler2D turf;    // "turf.png" sRGB repeat: a meadow
 uniform sampler2D granite; // "granite.png" sRGB repeat: rock
 
+uniform int seed;    // 0 in [0, 99]: number of the land around the valley
 uniform int octaves; // 4 in [1, 8]: octaves of the ridges in the march
 
 // A gap above the land is divided by way.x + way.y s where the slope is s, and a gap above the shore
@@ -61,32 +70,48 @@ vec3 shore(vec2 q)
     return vec3(0.26 - 0.17 * d, -0.17 * r * vec2(1.0, 1.2) / d);
 }
 
-// The hills without ridges and without the shore: height (x), gradient (yz).
-vec3 hills(vec2 q)
+// The land around the valley, without ridges: the sum of three waves, except in a circle that contains the valley.
+//   returns  height (x), gradient (yz), and the height at which its ridges begin (w): FOOT in the circle, SEA_FOOT
+//            outside, and numbers in between only where the land is not higher than the bottom of the lake
+vec4 landSwell(vec2 q)
+{
+    vec2 away = q - MIDDLE;
+    vec3 s = SWELL_X * q.x + SWELL_Z * q.y + SWELL_START + SWELL_STEP * float(seed);
+    s -= floor(s + 0.5);
+    vec3 slope = SWELL * (0.5 - 2.0 * abs(s));
+    float wave = dot(SWELL, s * (0.5 - abs(s))) - SWELL_SUNK, circle = 0.001 * dot(away, away) - 16.0;
+    vec3 h = circle < wave ? vec3(circle, 0.002 * away) : vec3(wave, dot(slope, SWELL_X), dot(slope, SWELL_Z));
+    return vec4(h, clamp(FOOT - 2.0 * (circle + 4.0), SEA_FOOT, FOOT));
+}
+
+// The hills without ridges and without the shore: height (x), gradient (yz), height at which their ridges begin (w).
+vec4 hills(vec2 q)
 {
     vec3 h = hill(q - vec2(4.0, 46.0), vec2(43.0, 25.5), 7.4);
     h = higherGround(h, hill(q - vec2(-25.0, 24.0), vec2(24.0, 24.5), 7.0));
     h = higherGround(h, hill(q - vec2(64.0, 90.0), vec2(58.0, 42.0), 6.4));
     h = higherGround(h, hill(q - vec2(19.0, 22.0), vec2(13.0, 12.5), 3.6));
     h.x -= 3.0;
-    return h;
+    vec4 other = landSwell(q);
+    return vec4(higherGround(h, other.xyz), other.w);
 }
 
 // The largest height of the ridges above the hills (x), and its growth with the hills' height (y).
-vec2 roughness(float height)
+//   foot  the height of the hills at which ridges begin
+vec2 roughness(float height, float foot)
 {
-    return height > FOOT ? vec2(RIDGES * (height - FOOT), RIDGES) : vec2(0.0);
+    return height > foot ? vec2(RIDGES * (height - foot), RIDGES) : vec2(0.0);
 }
 
 // The height that the hills must have before the land can reach y: the inverse of
-// height + roughness(height).x.
-float hillsUnder(float y)
+// height + roughness(height, foot).x.
+float hillsUnder(float y, float foot)
 {
-    return min(y, FOOT + (y - FOOT) / (1.0 + RIDGES));
+    return min(y, foot + (y - foot) / (1.0 + RIDGES));
 }
 
 // A lower bound of the distance to the land: the largest of several bounds. The first uses only the
-// hills: the land cannot reach p.y before the hills reach hillsUnder(p.y). Each octave of ridges
+// hills: the land cannot reach p.y before the hills reach hillsUnder. Each octave of ridges
 // gives another bound, because the octaves that follow add at most the rest of the weights. Octaves
 // are evaluated while they can still enlarge the result. The shore has no ridges; the result is the
 // smaller of the bound for the shore and the bound for the hills.
@@ -95,11 +120,12 @@ float hillsUnder(float y)
 float landDistance(vec3 p, int count)
 {
     vec2 q = inValley(p.xz), x = CELLS * q + SEED;
-    float base = hills(q).x, over = p.y - base, high = roughness(base).x;
+    vec4 ground = hills(q);
+    float base = ground.x, over = p.y - base, high = roughness(base, ground.w).x;
     float hilly = way.x + way.y * HILL_SLOPE, growth = way.y * RIDGES * HILL_SLOPE;
     float weight = 1.0 - GAIN, rest = 1.0, sum = 0.0, first = 1.0;
     float steep = way.y * 2.0 * VALUE_STRETCH * CELLS, slope = (1.0 + weight) * steep;
-    float d = (hillsUnder(p.y) - base) / hilly, coast = p.y - shore(q).x, least = 0.0;
+    float d = (hillsUnder(p.y, ground.w) - base) / hilly, coast = p.y - shore(q).x, least = 0.0;
     bool counts = true;
     for (int i = 0; i < count && counts; i++) {
         float ridge = ridged(groundNoise(x)).x;
@@ -124,8 +150,9 @@ float landDistance(vec3 p, int count)
 //   count  octaves, any value >= 1; the last one is weighted by the fractional part
 vec4 landAt(vec2 q, float count)
 {
-    vec3 base = higherGround(hills(q), shore(q)), sum = vec3(0.0), first = vec3(1.0, 0.0, 0.0);
-    vec2 high = roughness(base.x), x = CELLS * q + SEED;
+    vec4 ground = hills(q);
+    vec3 base = higherGround(ground.xyz, shore(q)), sum = vec3(0.0), first = vec3(1.0, 0.0, 0.0);
+    vec2 high = roughness(base.x, ground.w), x = CELLS * q + SEED;
     float weight = 1.0 - GAIN, fine = 0.5, scale = CELLS;
     vec2 grain = vec2(0.0);
     mat2 turn = mat2(CELLS);

@@ -2,7 +2,7 @@
 #include "coverage.glsl"
 #include "fresnel.glsl"
 
-const int CAUSTIC_RINGS = 16;
+const int CAUSTIC_RINGS = 24;
 
 // The area, divided by pi, of a disc with a soft rim: the integral of 2 r coverage(radius - r, width).
 //   radius  >= 0
@@ -26,32 +26,31 @@ float softDiscArea(float radius, float width)
 //   formula  a ray at b = radius sin(i) from the axis is turned by D = 2 (i - j), sin(j) = sin(i) / index, and
 //            leaves on a line that is also b from the centre: at z behind the centre this line is
 //            r = (b - z sin(D)) / cos(D) from the axis; the line begins at the exit, z = radius cos(D - i). The beam is
-//            cut into rings of b. A ring's light, minus the light that the two surfaces reflect, is spread evenly over
-//            the ring between its two r: (b^2 - b'^2) / (r^2 - r'^2), with both rims as wide as the blur
+//            cut into rings of b of equal areas. A ring's light, minus the light that the two surfaces reflect, is spread
+//            evenly over the ring between its two r: (b^2 - b'^2) / (r^2 - r'^2), with both rims as wide as the blur
 // The result is neither a bound nor exact. It leaves out light that is reflected inside, absorption, and the grazing
 // rays beyond 0.96 radius, which carry 0.037 of the light that passes. On a plane that faces the lamp, the remaining
 // light has the right total to within 0.005, but its distribution within a ring is an assumption.
 float ballCaustic(vec3 p, vec3 toLight, float radius, float index, float spread)
 {
     float z = -dot(p, toLight), r = length(p + z * toLight), width = max(spread * z, 0.002 * radius);
-    float light = 0.0, before = 0.0, within = 0.0; // r and b^2 at the ring's inner rim
+    float light = 0.0, before = 0.0; // r at the ring's inner rim
     float passed = 1.0 - fresnelShare(1.0, 1.0 / index); // the share that passes at the inner rim
+    float share = 0.96 * 0.96 / float(CAUSTIC_RINGS); // of the beam: all rings have the same area
     int rings = z > 0.0 && r < max(radius, 2.5 * z) + width ? CAUSTIC_RINGS : 0; // rays turn by less than 70 degrees
     for (int k = 1; k <= rings; k++) {
-        float sine = 0.96 * float(k) / float(CAUSTIC_RINGS), inner = sine / index;
-        float cosine = sqrt(1.0 - sine * sine), innerCosine = sqrt(1.0 - inner * inner);
+        float square = share * float(k), sine = sqrt(square), inner = sine / index;
+        float cosine = sqrt(1.0 - square), innerCosine = sqrt(1.0 - inner * inner);
         vec2 halfTurn = vec2(cosine * innerCosine + sine * inner, sine * innerCosine - cosine * inner);
         vec2 turn = vec2(halfTurn.x * halfTurn.x - halfTurn.y * halfTurn.y, 2.0 * halfTurn.x * halfTurn.y);
         float after = (radius * sine - z * turn.y) / max(turn.x, 0.05);
         float passes = 1.0 - fresnelShare(cosine, 1.0 / index);
-        float square = radius * radius * sine * sine;
         float low = before * after > 0.0 ? min(abs(before), abs(after)) : 0.0, high = max(abs(before), abs(after));
         float ring = softDiscArea(high, width) - (low > 0.0 ? softDiscArea(low, width) : 0.0);
         float lit = coverage(high - r, width) - (low > 0.0 ? coverage(low - r, width) : 0.0);
         bool left = z > radius * (cosine * turn.x + sine * turn.y);
-        light += left ? lit * passed * passes * (square - within) / max(ring, 1e-6 * radius * radius) : 0.0;
+        light += left ? lit * passed * passes * share / max(ring / (radius * radius), 1e-6) : 0.0;
         before = after;
-        within = square;
         passed = passes;
     }
     return light;

@@ -2,7 +2,8 @@
 // repeated along one, two or three axes, up to 1000 times in each direction; the colour shows the
 // normal.
 #include "main.glsl"
-#include "cone.glsl"
+#include "cone.glsl"     // perspectiveRay, pixelSpread
+#include "crossing.glsl" // marchCrossing: ends at nearly the same point, whatever the steps are
 #include "normal.glsl"
 #include "primitives.glsl"
 #include "lighting.glsl"
@@ -35,7 +36,7 @@ float sceneDistance(vec3 p)
 
 vec3 rayColour(Ray ray)
 {
-    Hit hit = marchCone(ray, 0.0, FAR, 0.001, pixelSpread(), 256);
+    Hit hit = marchCrossing(ray, 0.0, FAR, 0.001, pixelSpread(), 256);
     vec3 normal = normalAt(ray.origin + hit.t * ray.direction, 0.001 + pixelSpread() * hit.t);
     float clear = hit.found ? exp(-hit.t / fogDistance) : 0.0;
     vec3 sky = mix(HORIZON, SKY, smoothstep(-0.3, 0.6, ray.direction.y));

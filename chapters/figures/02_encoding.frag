@@ -7,6 +7,7 @@
 
 uniform vec2 first;  // (-1.3, -0.75) handle: the darker light
 uniform vec2 second; // (0.2, 0.75) handle: the brighter light
+uniform int  height; // 3 in [1, 20], pixels: height of a stripe
 
 const vec2 CORNER = vec2(-1.3, -0.75); // corner of the graph, where light and value are 0
 const float SIDE = 1.5;
@@ -49,7 +50,7 @@ vec3 rayColour(Ray ray)
     number(p, above + vec2(-0.16, 0.05), right, 3, TEAL); // # | encoded mean #
     number(p, below + vec2(0.18, -0.05), wrong, 3, ORANGE); // # | mean of the codes #
     grey(p, 0.5, right);
-    grey(p, 0.0, encoded(((iPixel.y / 3) & 1) == 0 ? a : b));
+    grey(p, 0.0, encoded(((iPixel.y / height) & 1) == 0 ? a : b));
     grey(p, -0.5, wrong);
     stroke(sdRectangle(p - vec2(1.05, 0.0), vec2(0.42, 0.75)), 1.2, INK);
     return sheetColour;

@@ -4,8 +4,9 @@
 #include "figure.glsl"
 #include "lighting.glsl"
 
-uniform vec2 warm; // (-0.7, 0.45) handle: the warm lamp
-uniform vec2 cold; // (0.75, 0.7) handle: the cold lamp
+uniform vec2  warm;      // (-0.7, 0.45) handle: the warm lamp
+uniform vec2  cold;      // (0.75, 0.7) handle: the cold lamp
+uniform float reference; // 0.6 in [0.2, 1.2] step 0.05, units: distance at which a lamp has its own brightness
 
 const float FLOOR = -0.12, AXIS = -0.9, ONE = 0.42; // heights of floor and axis; height of the value 1 above the axis
 const vec3 WARM = vec3(1.0, 0.72, 0.45), COLD = vec3(0.45, 0.7, 1.0);
@@ -20,7 +21,7 @@ float received(vec2 lamp, float x)
 {
     vec2 toLamp = lamp - vec2(x, FLOOR);
     float distance = max(length(toLamp), 0.02);
-    return fallOff(distance, 0.6) * lambert(vec3(0.0, 1.0, 0.0), vec3(toLamp / distance, 0.0));
+    return fallOff(distance, reference) * lambert(vec3(0.0, 1.0, 0.0), vec3(toLamp / distance, 0.0));
 }
 
 vec3 rayColour(Ray ray)

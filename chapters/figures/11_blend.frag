@@ -64,6 +64,6 @@ vec3 rayColour(Ray ray)
     arrow(p, at, tip, 2.5, ORANGE);
     arrow(p, tip, at + 0.6 * normal, 2.5, BLUE);
     dot2(p, at, 8.0, INK);
-    number(p, at + 0.6 * normal + 0.1 * normalize(normal + 1e-6), share, 2, TEAL); // # | share of the clay #
+    number(p, at + 0.6 * normal + 0.1 * normalize(normal + 1e-6), share, 2, TEAL); // # | share of the glaze #
     return sheetColour;
 }

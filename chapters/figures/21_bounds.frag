@@ -22,7 +22,7 @@ float sceneDistance(vec3 p)
 vec3 highestGround(float ahead, int count)
 {
     vec2 q = vec2(ASIDE, ahead), x = CELLS * q + SEED;
-    float base = hills(q).x, high = roughness(base).x, weight = 1.0 - GAIN, rest = 1.0, sum = 0.0, first = 1.0;
+    float base = hills(q).x, high = roughness(base, FOOT).x, weight = 1.0 - GAIN, rest = 1.0, sum = 0.0, first = 1.0;
     float steep = 2.0 * VALUE_STRETCH * CELLS, slope = steep, growth = RIDGES * HILL_SLOPE;
     for (int i = 0; i < count; i++) {
         float ridge = ridged(groundNoise(x)).x;
@@ -43,15 +43,15 @@ vec3 rayColour(Ray ray)
     vec2 p = sheetPoint(ray), q = ORIGIN + UNITS * p, from = ORIGIN + UNITS * start;
     vec4 land = landAt(vec2(ASIDE, q.x), float(octaves));
     float base = hills(vec2(ASIDE, from.x)).x, s = q.x - from.x, flatter = UNITS.x / UNITS.y; // for slopes on the sheet
-    vec4 steps = vec4((hillsUnder(from.y) - base) / HILL_SLOPE, 0.0, 0.0, 0.0); // the proved steps
+    vec4 steps = vec4((hillsUnder(from.y, FOOT) - base) / HILL_SLOPE, 0.0, 0.0, 0.0); // the proved steps
     float above = (q.y - land.x) / UNITS.y * inversesqrt(1.0 + land.z * land.z * flatter * flatter);
     fill(above, SAND, 1.0);
     stroke(above, 2.0, ORANGE);
     line2(p, vec2(start.x, -1.0), vec2(start.x, 1.0), 1.0, PALE);
     dashes(p, start, vec2(1.78, start.y), 2.0, INK);
-    float climbed = base + HILL_SLOPE * s, rise = HILL_SLOPE * (1.0 + roughness(climbed).y) * flatter;
+    float climbed = base + HILL_SLOPE * s, rise = HILL_SLOPE * (1.0 + roughness(climbed, FOOT).y) * flatter;
     if (s > 0.0)
-        curve((q.y - climbed - roughness(climbed).x) / UNITS.y, rise, 2.5, ORANGE);
+        curve((q.y - climbed - roughness(climbed, FOOT).x) / UNITS.y, rise, 2.5, ORANGE);
     for (int i = 1; i <= 3; i++) {
         int count = i < 3 ? min(i, octaves) : octaves;
         vec3 ground = highestGround(from.x, count), colour = i == 1 ? INK : (i == 2 ? TEAL : BLUE);

@@ -15,7 +15,8 @@ refused() { # EXERCISE FILE
     [ "$(wc -l <"$scratch/answer.$1")" = 4 ] &&
         grep -q ': wrong: .*most around [0-9]*,[0-9]*, \(in\|at\|on\) the .*: see build/' "$scratch/answer.$1" &&
         grep -q "^  look at yours: build/.* --shader $2" "$scratch/answer.$1" &&
-        [ "$(grep -c 'colour: [0-9]*, [0-9]*, [0-9]*$' "$scratch/answer.$1")" = 2 ]
+        [ "$(grep -c 'colour: [0-9]*, [0-9]*, [0-9]*$' "$scratch/answer.$1")" = 2 ] &&
+        ! grep -q 'no march is recorded' "$scratch/answer.$1" # then there is only the colour
 }
 
 open_scratch

@@ -78,14 +78,31 @@ has_anchor() { # PAGE ANCHOR
     grep -q -x -F -e "$2" "$kept"
 }
 
-# True if a figure of a page has a point, or a parameter to which a link gives a value: #ball, #most=12.
-has_value() { # PAGE NAME[=VALUE]
-    local picture stem what file
-    grep -o '[0-9][0-9]_[a-z_]*-figure-[a-z_-]*\.png' "$1" | sort -u | while read -r picture; do
+# True if a shader or a file that it includes declares a uniform.
+declares() { # FILE NAME
+    local name
+    [ -e "$1" ] || return 1
+    grep -q "^uniform  *[a-z0-9]*  *$2;" "$1" || sed -n 's/^#include "\([^"]*\)".*/\1/p' "$1" | {
+        while read -r name; do
+            ! { declares "chapters/$name" "$2" || declares "shaders/$name" "$2"; } || exit 0
+        done
+        exit 1
+    }
+}
+
+# True if a picture of a page has a point, or a parameter to which a link gives a value: #ball, #most=12. The picture is
+# a figure, or the chapter's if the link gives a value; or, after an @, the one that the link names, #spread=0.1@above.
+has_value() { # PAGE NAME[=VALUE[@PICTURE]]
+    local picture stem what file asked=${2#*@} name=${2%%=*}
+    [[ $2 == *@* ]] || asked='figure-[a-z_-]*'
+    if [ "$asked" = chapter ] || [[ $2 == *=* && $2 != *@* ]]; then
+        ! declares "chapters/$(basename "$1" .md).frag" "$name" || return 0
+    fi
+    grep -o "[0-9][0-9]_[a-z_]*-$asked\\.png" "$1" | sort -u | while read -r picture; do
         stem=${picture%%-*} what=${picture#*-}
-        awk -v stem="$stem" -v what="${what%.png}" '$1 == stem && $2 == what { for (i = 3; i < NF; i++) if ($i == "-f") print $(i + 1) }' tests/pictures/images.txt
+        awk -v stem="$stem" -v what="${what%.png}" '$1 == stem && $2 == what { file = "chapters/" stem ".frag"; for (i = 3; i < NF; i++) if ($i == "-f") file = $(i + 1); print file }' tests/pictures/images.txt
     done | sort -u | while read -r file; do
-        grep -q "^uniform  *[a-z0-9]*  *${2%%=*};" "$file" && echo found
+        if [[ $2 == *@* ]]; then declares "$file" "$name" && echo found; else grep -q "^uniform  *[a-z0-9]*  *$name;" "$file" && echo found; fi
     done | grep -q found
 }
 
@@ -523,7 +540,8 @@ check_pages() {
 # refuses NAME TEXT CHECK: the check must complain about a page with this text. What a check accepts is tested by the
 # pages themselves.
 refuses() {
-    mkdir -p "$scratch/docs"
+    mkdir -p "$scratch/docs" "$scratch/tests"
+    ln -sfn "$PWD/tests/references" "$scratch/tests/references"
     printf '%s\n' "$2" >"$scratch/docs/page.md"
     check "a page is refused for $1" test -n "$("$3" "$scratch/docs/page.md")"
 }
@@ -533,6 +551,9 @@ check_checks() {
     refuses 'an anchor without a heading' $'# One two\n[a](#one-two) [b](#one-three)' bad_links
     refuses 'a word that lights no point' $'![a](../tests/references/01_normal_colouring-figure-march.png)\n[a](#eye) [b](#nose)' bad_links
     refuses 'a value for no parameter' $'![a](../tests/references/00_first_scene-figure-march.png)\n[a](#most=12) [b](#least=12)' bad_links
+    judge 'a value may name a picture, whose shader includes the parameter' "$(printf '![a](../tests/references/03_shadows-sun.png)\n[a](#focalLength=2@sun)\n' >"$scratch/docs/page.md"; bad_links "$scratch/docs/page.md")"
+    refuses 'a value for a picture that does not have it' $'![a](../tests/references/03_shadows-sun.png)\n[a](#tint=2@sun)' bad_links
+    refuses 'a value for a picture that the page does not show' $'![a](../tests/references/03_shadows-sun.png)\n[a](#focalLength=2@low)' bad_links
     refuses 'a picture that no test renders' '![a](../tests/references/gone.png)' bad_pictures
     refuses 'an exercise without a solution' "$(sed '0,/<summary>Solution/s//<summary>Hint/' docs/03_shadows.md)" bad_exercises
     refuses 'a question without an answer' '*Predict.* Why?' bad_folds
@@ -623,7 +644,7 @@ check_tool() {
         "$(printf 'word $x + y$ %.0s' {1..900})" "$(printf 'word %.0s' {1..101})" >"$page"
     check 'a missing time is written' rewrites "$page"
     check 'the time follows from words, questions and formulas' grep -q -x \
-        '[*][*]Time[.][*][*] 10 minutes to read, 15 with its figures and questions, and 5 more for the proofs[.]' "$page"
+        '[*][*]Time[.][*][*] 15 minutes with its figures and questions, 10 if you only read, and 5 more for the proofs[.]' "$page"
     printf '<!-- parameters: 99_nothing -->\n' >"$page"
     check 'a table of parameters of an unknown program fails' fails "$page" 'make first'
 }

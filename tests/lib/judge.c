@@ -154,8 +154,10 @@ const char *judge_ray(const char *probe)
         return "";
     if (march.recorded)
         snprintf(judge.text, sizeof judge.text, "t %g, %s", march.t, march.end);
-    else
-        snprintf(judge.text, sizeof judge.text, "%s", march.end);
+    else { // only the colour
+        const char *colour = strstr(march.end, "colour: ");
+        snprintf(judge.text, sizeof judge.text, "%s", colour != NULL ? colour : march.end);
+    }
     return judge.text;
 }
 

@@ -28,12 +28,12 @@ const struct march_scene march_scenes[MARCH_SCENES] = {
     {"07", "07_repetition", "", "07_repetition.frag", MARGIN, "", NULL, false, true},
     {"09", "09_sky_and_sunset", "", "09_sky_and_sunset.frag", MARGIN, "", NULL, false, true},
     {"16", "16_fewer_steps", "", "16_fewer_steps.frag", "", "", "divider=1", false, true},
-    // The chapter's march already begins where the coarse pass ended, or at the water if the water
-    // is nearer.
+    // In chapters 21 and 22, the march already begins where the coarse pass ended, in chapter 21 at
+    // the water if the water is nearer.
     {"21", "21_a_landscape", "#define PASS_DONE\n", "21_a_landscape.frag", "",
      "asked = 0; way = oneWay(max(abs(ray.direction.y), bend.direction.y));\n", NULL, false, true},
-    {"22", "22_many_parts", "#include \"reef.glsl\"\n", "22_many_parts.frag", MARGIN, "", NULL,
-     false, false},
+    {"22", "22_many_parts", "#define PASS_DONE\n#include \"reef.glsl\"\n", "22_many_parts.frag", "",
+     "", NULL, false, false},
     {"torus", "16_fewer_steps", STRESS(0), "experiments/16_stress.frag", NULL, "", NULL, true,
      true},
     {"plane", "16_fewer_steps", STRESS(1), "experiments/16_stress.frag", NULL, "", NULL, true,

@@ -135,4 +135,25 @@ TEST(test_the_usual_factor_creates_light)
                 1e-3);
 }
 
+// In chapter 11, a ray that leaves the upper half of the silver ball meets the silver nowhere. The
+// numbers are half the side of a pixel on the ball, in thousandths of a scene unit: of pictures 360
+// and 1080 pixels high, and of one without limit.
+TEST(test_the_silver_does_not_reflect_itself)
+{
+    static const int half_sides[] = {7, 2, 0};
+    for (size_t i = 0; i < sizeof half_sides / sizeof half_sides[0]; i++) {
+        float *values = gpu_call("tests/shaders/silver.frag", COLUMNS, ROWS, half_sides[i],
+                                 (const float[4]){0.0f});
+        int silver = 0, other = 0;
+        for (int k = 0; k < COLUMNS * ROWS; k++) {
+            silver += values[4 * k] != 0.0f;
+            other += values[4 * k + 1] != 0.0f;
+        }
+        free(values);
+        print_message("# half side %d: of %d rays, %d meet the silver and %d something else\n",
+                      half_sides[i], COLUMNS * ROWS, silver, other);
+        assert_true(silver == 0 && other > COLUMNS * ROWS / 8);
+    }
+}
+
 TESTS(gpu_setup, gpu_teardown)

@@ -175,9 +175,34 @@ TEST(glitter_neither_makes_nor_loses_light)
 
 // ---- The land of chapter 21 ----
 
-static const double cells = 0.08, gain = 0.42, lacunarity = 2.1, foot = 0.4, ridges = 3.6,
-                    hill_slope = 0.45;
-enum { OCTAVES = 4 };
+#define CHAPTER "21_a_landscape"
+
+static const double cells = 0.08, gain = 0.42, lacunarity = 2.1, foot = 0.4, sea_foot = -1.6,
+                    ridges = 3.6, hill_slope = 0.45;
+enum { OCTAVES = 4, AROUND = 300 };
+
+enum { SEEDS = 100 }; // values of the parameter seed
+static int seed = 0;
+
+// The gap between the circle's ground and the water, see landSwell in chapters/valley.glsl.
+static double circle(double x, double z)
+{
+    return 0.001 * ((x - 20.0) * (x - 20.0) + (z - 95.0) * (z - 95.0)) - 16.0;
+}
+
+static double wave(double turns, double height)
+{
+    double s = turns - floor(turns + 0.5);
+    return height * s * (0.5 - fabs(s));
+}
+
+static double swell(double x, double z)
+{
+    double sum = wave(0.0023 * x + 0.0084 * z + 0.83 + 0.731 * seed, 18.0);
+    sum += wave(-0.0087 * x + 0.0044 * z + 0.39 + 0.818 * seed, 16.0);
+    sum += wave(-0.0053 * x - 0.0042 * z + 0.15 + 0.692 * seed, 20.0);
+    return fmin(sum - 0.975, circle(x, z));
+}
 
 static double hills(double x, double z)
 {
@@ -185,7 +210,19 @@ static double hills(double x, double z)
     h = fmax(h, bump(x + 25.0, z - 24.0, 24.0, 24.5, 7.0));
     h = fmax(h, bump(x - 64.0, z - 90.0, 58.0, 42.0, 6.4));
     h = fmax(h, bump(x - 19.0, z - 22.0, 13.0, 12.5, 3.6));
-    return h - 3.0;
+    return fmax(h - 3.0, swell(x, z));
+}
+
+// The height of the hills at which ridges begin.
+static double foot_at(double x, double z)
+{
+    return fmin(fmax(foot - 2.0 * (circle(x, z) + 4.0), sea_foot), foot);
+}
+
+// The largest height of the ridges above hills of the height base.
+static double roughness(double x, double z, double base)
+{
+    return ridges * fmax(base - foot_at(x, z), 0.0);
 }
 
 static double shore(double x, double z)
@@ -218,7 +255,7 @@ static double land(double x, double z)
 {
     double base = hills(x, z), least, most;
     detail(x, z, OCTAVES, &least, &most);
-    return fmax(base + ridges * fmax(base - foot, 0.0) * most, shore(x, z));
+    return fmax(base + roughness(x, z, base) * most, shore(x, z));
 }
 
 // The distance to the land, as landDistance of chapters/valley.glsl computes it with ALL_WAYS: the
@@ -226,8 +263,8 @@ static double land(double x, double z)
 // smaller.
 static double land_distance(struct d3 p)
 {
-    double base = hills(p.x, p.z), high = ridges * fmax(base - foot, 0.0);
-    double under = fmin(p.y, foot + (p.y - foot) / (1.0 + ridges));
+    double base = hills(p.x, p.z), high = roughness(p.x, p.z, base), low = foot_at(p.x, p.z);
+    double under = fmin(p.y, low + (p.y - low) / (1.0 + ridges));
     double d = (under - base) / (0.65 + hill_slope), slope = 0.0, weight = 1.0 - gain;
     for (int i = 0; i < OCTAVES; i++) {
         double least, most;
@@ -241,15 +278,27 @@ static double land_distance(struct d3 p)
     return fmin(d, (p.y - shore(p.x, p.z)) / 1.03);
 }
 
-// A random point up to three units above the land or the water.
-static struct d3 random_position(void)
+// A random point of the valley, up to three units above the land or the water.
+static struct d3 in_valley(void)
 {
     double x = rand() % 4 ? random_in(-40.0, 40.0) : random_in(-4.0, 2.0);
     double z = rand() % 4 ? random_in(0.0, 80.0) : random_in(-2.0, 3.0);
     return d3(x, fmax(land(x, z), 0.0) + random_in(0.0, 3.0), z);
 }
 
-TEST(the_largest_bound_is_1_lipschitz)
+// A random point up to 300 units from the eye, up to three units above the land or the water, over
+// the land of a random seed.
+static struct d3 around_valley(void)
+{
+    double turn = random_in(0.0, 2.0 * MIRROR_PI), far = random_in(0.0, AROUND);
+    double x = far * cos(turn), z = far * sin(turn);
+    seed = rand() % SEEDS;
+    return d3(x, fmax(land(x, z), 0.0) + random_in(0.0, 3.0), z);
+}
+
+// By how much the distance changes at most between two points that are one unit apart, from 100,000
+// pairs of points that are nearer.
+static double lipschitz(struct d3 (*random_position)(void))
 {
     enum { PAIRS = 100000 };
     double most = 0.0, slopes = 0.0;
@@ -261,39 +310,112 @@ TEST(the_largest_bound_is_1_lipschitz)
         double level = hypot(v.x, v.z);
         slopes = fmax(slopes, fabs(land(p.x, p.z) - land(q.x, q.z)) / (1e-3 * level));
     }
+    seed = 0;
     print_message(
         "# %d pairs: the distance changes by at most %.4f times the step; the largest slope of the "
         "land is %.2f, and its bound at the top is 14.8\n",
         PAIRS, most, slopes);
-    assert_true(most <= 1.0 + 1e-6 && slopes < 14.8);
+    assert_true(slopes < 14.8);
+    return most;
 }
 
-TEST(no_land_is_nearer_than_the_distance)
+TEST(the_largest_bound_is_1_lipschitz)
 {
-    enum { POSITIONS = 300, AROUND = 48, STEPS = 40 };
+    assert_true(lipschitz(in_valley) <= 1.0 + 1e-6);
+    assert_true(lipschitz(around_valley) <= 1.0 + 1e-6);
+}
+
+// How far the land stays below balls with the distance as radius, at least.
+static double below_balls(struct d3 (*random_position)(void))
+{
+    enum { POSITIONS = 300, TURNS = 48, STEPS = 40 };
     double nearest = 1e9;
     srand(22);
     for (int i = 0; i < POSITIONS; i++) {
         struct d3 p = random_position();
         double d = land_distance(p);
-        for (int k = 0; d > 0.0 && k < AROUND * STEPS; k++) {
-            double turn = 2.0 * MIRROR_PI * (k % AROUND) / AROUND,
-                   far = d * (k / AROUND + 1) / STEPS;
+        for (int k = 0; d > 0.0 && k < TURNS * STEPS; k++) {
+            double turn = 2.0 * MIRROR_PI * (k % TURNS) / TURNS, far = d * (k / TURNS + 1) / STEPS;
             double height = land(p.x + far * cos(turn), p.z + far * sin(turn));
             // The height of the lower surface of the ball at this point.
             double low = p.y - sqrt(fmax(d * d - far * far, 0.0));
             nearest = fmin(nearest, low - height);
         }
     }
+    seed = 0;
     print_message(
         "# %d balls with the distance as radius: the land stays below each ball by at least %.2g\n",
         POSITIONS, nearest);
-    assert_true(nearest > -1e-9);
+    return nearest;
+}
+
+TEST(no_land_is_nearer_than_the_distance)
+{
+    assert_true(below_balls(in_valley) > -1e-9);
+    assert_true(below_balls(around_valley) > -1e-9);
+}
+
+// The distance from the eye to the nearest land in a direction, beyond the shore; AROUND if there
+// is none.
+static int first_land(double turn)
+{
+    int far = 3;
+    while (far < AROUND && land(far * cos(turn), far * sin(turn)) <= 0.0)
+        far++;
+    return far;
+}
+
+TEST(land_lies_in_every_direction)
+{
+    int without = 0, farthest = 0;
+    for (seed = 0; seed < SEEDS; seed++) {
+        for (int k = 0; k < 72; k++) {
+            int far = first_land(2.0 * MIRROR_PI * k / 72.0);
+            farthest = far > farthest ? far : farthest;
+            without += far == AROUND;
+        }
+    }
+    seed = 0;
+    print_message("# %d seeds, 72 directions: %d without land; the farthest first land is %d units "
+                  "away\n",
+                  SEEDS, without, farthest);
+    assert_int_equal(without, 0);
+}
+
+// The heights of the hills and of the foot of the ridges in the shader agree with those above, and
+// so does the distance, for two seeds.
+TEST(the_land_around_is_that_of_the_shader)
+{
+    struct renderer_inputs inputs = gpu_inputs(CHAPTER_WIDTH, CHAPTER_HEIGHT, 1);
+    float *values = chapter_numbers(
+        CHAPTER, "vec2 q = vec2(-300.0) + vec2(0.9375, 1.6666667) * pixel, xz = fromValley(q) / "
+                 "dot(AHEAD, AHEAD);"
+                 "vec4 h = hills(q); way = ALL_WAYS;"
+                 "return 0.5 + 0.04 * vec3(h.x, h.w, landDistance(vec3(xz, 3.0).xzy, 4));");
+    inputs.camera = gpu_camera(CHAPTER);
+    double worst[3] = {0.0, 0.0, 0.0};
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i < CHAPTER_WIDTH * CHAPTER_HEIGHT; i += 7) {
+            double x = -300.0 + 0.9375 * (i % CHAPTER_WIDTH),
+                   z = -300.0 + 1.6666667 * (i / CHAPTER_WIDTH);
+            const double right[3] = {hills(x, z), foot_at(x, z), land_distance(d3(x, 3.0, z))};
+            for (int c = 0; c < 3; c++)
+                worst[c] =
+                    fmax(worst[c], fabs(25.0 * ((double)values[4 * i + c] - 0.5) - right[c]));
+        }
+        free(values);
+        seed = 57;
+        gpu_set("seed", seed);
+        values = gpu_numbers(&inputs);
+    }
+    free(values);
+    seed = 0;
+    print_message("# land around: height off by at most %.2g, foot by %.2g, distance by %.2g\n",
+                  worst[0], worst[1], worst[2]);
+    assert_true(worst[0] < 1e-3 && worst[1] < 1e-3 && worst[2] < 1e-3);
 }
 
 // ---- Functions of chapter 21, called one by one ----
-
-#define CHAPTER "21_a_landscape"
 
 static const double highest = 18.8, disc = 0.0047;
 
@@ -322,31 +444,45 @@ static double skyline(struct d3 p, struct d3 direction)
         struct d3 q = turned(d3_add(p, d3_times(s, direction)));
         double base = hills(q.x, q.z), part, whole;
         detail(q.x, q.z, 1, &part, &whole);
-        double land = fmax(base + ridges * fmax(base - foot, 0.0) * part, shore(q.x, q.z));
+        double land = fmax(base + roughness(q.x, q.z, base) * part, shore(q.x, q.z));
         least = fmin(least, (q.y - land) / s);
     }
     return least;
 }
 
-// The slopes of the hills and of the shore and the height of the land, each divided by the bound on
-// which the march relies, at points all over the valley.
-TEST(no_land_is_steeper_or_higher_than_stated)
+// The largest of each of three numbers that a line of GLSL computes from pixel, each divided by
+// two.
+static void largest(const char *body, double most[3])
 {
-    float *values = chapter_numbers(
-        CHAPTER, "vec2 q = vec2(-60.0, -20.0) + vec2(0.3, 0.45) * pixel;"
-                 "vec2 r = vec2(-4.0, -3.0) + 0.0125 * pixel;"
-                 "return 0.5 * vec3(length(hills(q).yz) / HILL_SLOPE,"
-                 "length(shore(r).yz) / SHORE_SLOPE, landAt(q, 12.0).x / HIGHEST);");
-    double most[3] = {0.0, 0.0, 0.0};
+    float *values = chapter_numbers(CHAPTER, body);
     for (int i = 0; i < 4 * CHAPTER_WIDTH * CHAPTER_HEIGHT; i++)
         if (i % 4 < 3)
             most[i % 4] = fmax(most[i % 4], 2.0 * (double)values[i]);
     free(values);
+}
+
+// The slopes of the hills and of the shore and the height of the land, each divided by the bound on
+// which the march relies, at points all over the valley, and at points up to 300 units to all sides
+// of the eye.
+TEST(no_land_is_steeper_or_higher_than_stated)
+{
+    double most[3] = {0.0, 0.0, 0.0}, around[3] = {0.0, 0.0, 0.0};
+    largest("vec2 q = vec2(-60.0, -20.0) + vec2(0.3, 0.45) * pixel;"
+            "vec2 r = vec2(-4.0, -3.0) + 0.0125 * pixel;"
+            "return 0.5 * vec3(length(hills(q).yz) / HILL_SLOPE,"
+            "length(shore(r).yz) / SHORE_SLOPE, landAt(q, 12.0).x / HIGHEST);",
+            most);
+    largest("vec2 q = vec2(-300.0) + vec2(0.9375, 1.6666667) * pixel;"
+            "return 0.5 * vec3(length(hills(q).yz) / HILL_SLOPE, 0.0,"
+            "landAt(q, 12.0).x / HIGHEST);",
+            around);
     print_message("# slope of the hills: %.4f of its bound, of the shore: %.4f; height of the "
                   "land: %.4f of its bound\n",
                   most[0], most[1], most[2]);
+    print_message("# land around: slope %.4f of its bound, height %.4f\n", around[0], around[2]);
     assert_true(most[0] <= 1.0 && most[1] <= 1.0 && most[2] <= 1.0);
     assert_true(most[0] > 0.99 && most[1] > 0.98 && most[2] > 0.9);
+    assert_true(around[0] <= 1.0 && around[2] <= 1.0);
 }
 
 // True if the land does not hide a point of the sun's disc. r and a are polar coordinates around

@@ -17,6 +17,9 @@ static const struct scene scenes[] = {
     // The image in the water is shifted by `bend`, of at most 0.16 on each axis.
     {"18_sky_from_tables", "8.0, -14.0, -64.0", "50.0, 14.0, -32.0", "bend = 0.32 * r.yz - 0.16;"},
     {"20_clouds_and_weather", "-22.0, 0.0, -20.0", "-12.0, 7.0, -2.0", ""},
+    // A march never needs the distance inside the cloth.
+    {"24_bounces", "-0.4, 0.0, -1.5", "1.9, 1.3, -0.3",
+     "if (min(sceneDistance(p), sceneDistance(p + way)) < 0.0) return vec3(0.0);"},
 };
 
 // The largest slope between pairs of points 0.02 to 0.5 apart. A float of up to 80 is off by at

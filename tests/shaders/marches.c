@@ -153,6 +153,12 @@ TEST(no_sound_march_misses_anything_in_the_chapters)
                 assert_int_equal(costs_in(scene, (enum march_kind)kind).false_misses, 0);
 }
 
+TEST(every_scene_of_the_table_compiles)
+{
+    for (int scene = 0; scene < MARCH_SCENES; scene++)
+        assert_true(march_load(&gpu.renderer, &march_scenes[scene], MARCH_COARSE));
+}
+
 // ---- Costs ----
 
 TEST(costs_of_a_known_picture_are_right)

@@ -20,7 +20,8 @@ Surface nextSurface(Ray ray)
     vec3 p = ray.origin + t * ray.direction;
     vec3 normal = hit.found ? normalAt(p, radius) : vec3(0.0, 1.0, 0.0);
     bool open = !hit.found && (t >= FAR || p.z < EDGE);
-    return Surface(open, p, normal, hit.found ? STONE : floorColour(p, vec2(0.001)), radius);
+    vec3 stone = p.x > 2.5 && p.z > -4.92 ? SANDSTONE : STONE;
+    return Surface(open, p, normal, hit.found ? stone : floorColour(p, vec2(0.001)), radius);
 }
 
 // The light that arrives from the sky and from other surfaces, from one path.
@@ -47,6 +48,6 @@ vec3 rayColour(Ray ray)
 {
     vec3 toSun = sunDirection();
     Surface s = surfaceAt(ray);
-    vec3 light = what == 0 ? arriving(s, toSun) : ambientLight(s.normal, toSun);
+    vec3 light = what == 0 ? arriving(s, toSun) : ambientLight(s.normal);
     return what == 2 ? vec3(s.open) : s.colour * light / 8.0;
 }
