@@ -159,17 +159,37 @@ const guesses = (html, stem, pictures) => html.replace(/(<p><em>Predict\.<\/em>)
     return `${begin}${question}${end}<form class="guess"${data}>${fields} <button type="submit">Keep my guess</button> <output></output></form>`;
 });
 
-// The names of the parameters of a chapter, including those of the files that its shader includes. Only parameters that
-// are single numbers count.
-function parametersOf(stem, found = new Set(), seen = new Set(), file = `chapters/${stem}.frag`) {
+// The names of the parameters of a shader, including those of the files that it includes. Only parameters that are single
+// numbers count.
+function parametersOf(file, found = new Set(), seen = new Set()) {
     if (seen.has(file) || !fs.existsSync(file)) return found;
     seen.add(file);
     const text = read(file);
     for (const [, name] of text.matchAll(/^uniform (?:float|int) (\w+);\s*\/\//gm)) found.add(name);
-    for (const [, name] of text.matchAll(/^#include "([^"]+)"/gm)) for (const folder of ['chapters', 'shaders']) parametersOf(stem, found, seen, `${folder}/${name}`);
+    for (const [, name] of text.matchAll(/^#include "([^"]+)"/gm)) for (const folder of ['chapters', 'shaders']) parametersOf(`${folder}/${name}`, found, seen);
     return found;
 }
-const scrubs = (html, parameters) => html.replace(/(?<!<pre>)<code>(\w+)=(-?\d+(?:\.\d+)?)<\/code>/g, (whole, name) => parameters.has(name) ? whole.replace('<code>', '<code class="scrub">') : whole);
+const parametersOfLine = (stem, line = '') => parametersOf(/(?:--shader|-f)[ =](\S+)/.exec(line)?.[1] ?? `chapters/${stem}.frag`);
+
+// A number that a reader can change, in a sentence: code such as `shadowOffset=0.25`, or a link with a value that its text
+// contains, [12 steps](#most=12). After an @, a link names the picture that follows, [12 steps](#most=12@figure-march),
+// or @chapter; otherwise the nearest picture follows that has the parameter, so each program's picture gets a note of what it has.
+const scrub = (tag, text, name, value, at) => `<${tag} class="scrub" data-name="${name}"${at ? ` data-at="${at}"` : ''}>${text.replace(new RegExp(`(?<![\\w.−-])${value.replaceAll('.', '\\.').replace('-', '[−-]')}(?![\\w]|\\.\\d)`), `<data value="${value}">$&</data>`)}</${tag}>`;
+function scrubs(html, stem) {
+    const parameters = new Set([...parametersOf(`chapters/${stem}.frag`), ...parametersIn(html)]), used = new Set();
+    const shown = html.replace(/<a href="#(\w+)=(-?\d+(?:\.\d+)?)(?:@([\w-]+))?">(.*?)<\/a>/gs, (whole, name, value, at, text) => {
+        const number = parameters.has(name) ? scrub('span', text, name, value, at && at !== 'chapter' ? `${stem}-${at}` : at) : '';
+        return number.includes('<data') ? number : whole;
+    }).replace(/(?<!<pre>)<code>(\w+)=(-?\d+(?:\.\d+)?)<\/code>/g, (whole, name, value) => parameters.has(name) ? scrub('code', `${name}=${value}`, name, value) : whole);
+    for (const [, name, at] of shown.matchAll(/ class="scrub" data-name="(\w+)"(?: data-at="([\w-]+)")?/g)) {
+        used.add(name);
+        if (at && at !== 'chapter' && !new RegExp(`<live-chapter[^>]*>(?:<figure-sheet[^>]*><div class="sheet-screen">)?<img src="pictures/${at}\\.`).test(html)) throw new Error(`docs/${stem}.md: a number that changes ${name} names ${at}, which the page does not show`);
+    }
+    return used.size === 0 ? shown : shown.replace(/<live-chapter(?: class="([^"]*)")? stem="(\w+)"(?: line="([^"]*)")?[^>]*/g, (whole, kind, own, line) => {
+        const names = /\bhands\b/.test(kind) ? [] : [...parametersOfLine(own, plain(line ?? ''))].filter((name) => used.has(name));
+        return names.length > 0 ? `${whole} numbers="${names.join(' ')}"` : whole;
+    });
+}
 
 // Inline code is not broken across lines; in long code, only the options are kept whole. A command that can run in the
 // page is followed by its button.
@@ -250,8 +270,9 @@ const withoutRun = (html) => html.replace(/<div class="commands"><div class="com
 export function bodyOf(html, {stem, sources, pictures}) {
     html = inline(blocks(formulas(html), sources));
     if (stem) html = live(guesses(html, stem, pictures), stem, pictures);
-    html = withoutRun(words(links(images(html, pictures), sources)));
-    if (stem) html = scrubs(html, new Set([...parametersOf(stem), ...parametersIn(html)]));
+    html = withoutRun(links(images(html, pictures), sources));
+    if (stem) html = scrubs(html, stem);
+    html = words(html);
     html = tables(html).replaceAll(' />', '>');
     // Third-level headings above the first section become small second-level headings, so that no level is skipped.
     html = html.replace(/^.*?(?=<h2|$(?![^]))/s, (head) => head.replace(/<h3( [^>]*)>(.*?)<\/h3>/gs, '<h2 class="minor"$1>$2</h2>'));

@@ -26,7 +26,7 @@ const made = new Map(); // the first picture of each figure, which shows the fig
 for (const [picture, {stem, line}] of pictures) {
     const name = /(\w+)\.frag/.exec(line)?.[1] ?? stem, own = picture.replace(/\.\w+$/, '');
     if (!isSheet(own, line) || made.has(name)) continue;
-    const alt = escaped(altOf(stem, picture)), html = sheetOf(stem, line, own, `<img alt="${alt}" width="640" height="360">`, false), script = scriptOf(html);
+    const alt = escaped(altOf(stem, picture)), html = sheetOf(stem, line, own, `<img alt="${alt}" width="640" height="360">`, false), script = scriptOf(html, true);
     const textures = [...new Set([...script.matchAll(/sheets\/textures\/\w+\.js/g)].map(([file]) => file))];
     const embed = `<iframe src="${name}.html" width="640" height="${400 + 32 * (html.match(/<label/g) ?? []).length}" style="border:0" title="${alt}"></iframe>`;
     const scripts = [script, ...partsOf(html, script).map(small), ...textures.map(textureOf), js];

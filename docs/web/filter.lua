@@ -23,11 +23,6 @@ local function link(element)
     return element
 end
 
-local function paragraph(element)
-    local image = pages.figure(element)
-    return image and pandoc.Para({image})
-end
-
 local function block(element)
     return pages.mermaid(element) and {} or nil
 end
@@ -72,7 +67,7 @@ end
 
 function Pandoc(document)
     local blocks = pandoc.walk_block(pandoc.Div(neighbours(pages.captioned(document.blocks))), {
-        Link = link, Para = paragraph, CodeBlock = block, RawBlock = raw, RawInline = raw, Inlines = french, Str = word,
+        Link = link, Para = pages.figure, CodeBlock = block, RawBlock = raw, RawInline = raw, Inlines = french, Str = word,
     }).content
     return pandoc.Pandoc(blocks, pandoc.Meta({}))
 end

@@ -230,7 +230,7 @@ async function runIn(at, own = false) {
     await (own ? at.run('') : at.run());
 }
 export const scrub = (code) => new Scrub(code, runIn);
-document.querySelectorAll('code.scrub').forEach(scrub);
+document.querySelectorAll('.scrub').forEach(scrub);
 
 document.addEventListener('submit', async (event) => {
     const form = event.target.closest?.('form.check');

@@ -143,7 +143,7 @@ export class Program {
     }
 
     // Execute a command line as the chapter's program would. Returns the exit status.
-    //   still  pause the time of a window
+    //   still  pause the time of a window, unless it keeps frames and stops at that of the command line
     async start(stem, line = '', still = false) {
         const turn = this.starting = Symbol(stem);
         await this.fetchFiles(stem, line);
@@ -156,7 +156,8 @@ export class Program {
             if (this.starting !== turn) return 0;
         }
         const status = this.call('live_start', stem, line);
-        if (still || calm.matches) this.call('live_pause', 1);
+        const stops = /(^| )--frame[ =]/.test(line) && this.state().kept !== undefined;
+        if ((still || calm.matches) && !stops) this.call('live_pause', 1);
         this.fresh = true;
         this.fit();
         this.run();

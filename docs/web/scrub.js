@@ -1,58 +1,80 @@
-// scrub.js - makes numbers in sentences adjustable: code such as `shadowOffset=0.25`, which names a parameter, can be
-// dragged sideways or changed with the arrow keys, and a picture on the page follows.
+// scrub.js - makes numbers in sentences adjustable: a number that a parameter has, as in `shadowOffset=0.25` or in a link
+// with a value, [12 steps](#most=12), can be dragged sideways or changed with the arrow keys, and a picture follows.
 const WAY = 240; // the drag distance, in CSS pixels, from a parameter's minimum to its maximum
+const ONE = 40; // and that from one whole number to the next, at most
+const FEW = 4; // a finger that has moved no farther, in CSS pixels, has tapped
 const isSheet = (one) => one.matches('figure-sheet');
 
 export class Scrub {
-    //   code   the element, code.scrub
+    //   code   the element, .scrub, with the parameter's name as data-name and the number in <data>; data-at is the
+    //          picture that the page's author has chosen, or chapter
     //   runIn  runs a <live-chapter>: its command line or, if the second argument is true, the chapter's own shader
     constructor(code, runIn) {
-        const [name, value] = code.textContent.split('=');
-        Object.assign(this, {code, runIn, name, value: Number(value), turn: 0});
+        const {name, at} = code.dataset, number = code.querySelector('data');
+        code.scrub = this;
+        Object.assign(this, {code, runIn, name, number, chosen: at, value: Number(number.value), first: Number(number.value), turn: 0});
         code.tabIndex = 0;
         code.title = 'Drag sideways';
         code.setAttribute('role', 'slider');
         code.setAttribute('aria-label', name);
-        this.write();
+        code.setAttribute('aria-description', 'The arrow keys change the number. Escape puts it back.');
+        this.say();
         code.addEventListener('pointerdown', (event) => this.grab(event));
         code.addEventListener('keydown', (event) => {
-            const way = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1}[event.key];
-            if (!way) return;
+            const way = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, Enter: 0, ' ': 0, Escape: 0}[event.key];
+            if (way === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
             event.preventDefault();
-            this.move(() => this.value, way / 40);
+            const from = event.key === 'Escape' ? this.first : this.value;
+            this.move(() => way === 0 ? from : this.value, ({type, minimum, maximum}) => way * Math.max(1 / 40, type === 'int' ? 1 / (maximum - minimum) : 0));
         });
-        code.addEventListener('blur', () => this.at?.classList.remove('live-afloat'));
+        code.addEventListener('blur', () => this.at?.classList.remove('live-afloat', 'live-aloft'));
     }
 
-    write() {
-        this.code.textContent = `${this.name}=${Number(this.value.toPrecision(3))}`;
+    say() {
         this.code.setAttribute('aria-valuenow', this.value);
-        this.code.setAttribute('aria-valuetext', this.code.textContent.split('=')[1]);
+        this.code.setAttribute('aria-valuetext', this.number.textContent);
     }
 
+    // A mouse sets the number when it is pressed. A finger may be about to scroll the page, so it sets the number only
+    // when it moves sideways, or when it is lifted.
     grab(event) {
         if (event.button !== 0) return;
-        const from = this.value, {clientX} = event;
-        if (!document.pointerLockElement) this.code.setPointerCapture(event.pointerId);
-        this.code.focus({preventScroll: true});
-        this.move(() => from, 0);
-        this.code.onpointermove = (moved) => this.move(() => from, (moved.clientX - clientX) / WAY);
-        this.code.onpointerup = this.code.onpointercancel = () => { this.code.onpointermove = null; };
+        const {code} = this, from = this.value, {clientX, pointerType} = event, act = (x) => this.move(() => from, ({type, minimum, maximum}) => x / Math.min(WAY, type === 'int' ? ONE * (maximum - minimum) : WAY));
+        let held = pointerType === 'mouse';
+        if (!document.pointerLockElement) code.setPointerCapture(event.pointerId);
+        code.focus({preventScroll: true});
+        if (held) act(0);
+        const end = () => { code.onpointermove = code.onpointerup = code.onpointercancel = null; };
+        code.onpointermove = (moved) => {
+            held ||= Math.abs(moved.clientX - clientX) > FEW;
+            if (held) act(moved.clientX - clientX);
+        };
+        code.onpointerup = () => {
+            if (!held) act(0);
+            end();
+        };
+        code.onpointercancel = end;
     }
 
-    // The picture that follows the number: the running picture if it has the parameter, otherwise the nearest one. An
-    // interactive figure counts only if it has the parameter; what the other pictures have is known when they run.
+    // The picture that follows the number: the one that the author has chosen, or the nearest visible one that has the
+    // parameter, or that of the chapter.
     picture() {
-        const top = this.code.getBoundingClientRect().top, far = (one) => Math.abs(one.getBoundingClientRect().top - top);
-        const on = document.querySelector('.live-window');
-        if (on && this.parameter(on)) return on;
-        return [...document.querySelectorAll('live-chapter:not(.live-beside, .hands), figure-sheet')].filter((one) => one.checkVisibility() && (!isSheet(one) || this.parameter(one))).sort((a, b) => far(a) - far(b))[0];
+        const own = document.querySelector('live-chapter'), place = (one) => one.matches('.hands:not(.live-on)') ? one.querySelector('figure-sheet') : one;
+        if (this.chosen) return place(document.querySelector(`live-chapter:has(img[src*="/${this.chosen}."])`) ?? own);
+        const {top, bottom} = this.code.getBoundingClientRect(), middle = (top + bottom) / 2, far = (one) => {
+            const box = one.getBoundingClientRect();
+            return Math.max(box.top - middle, middle - box.bottom, 0);
+        };
+        return [...document.querySelectorAll('live-chapter:not(.hands), .live-window, figure-sheet')].filter((one) => one.checkVisibility() && this.has(one)).sort((a, b) => far(a) - far(b))[0] ?? own;
     }
+
+    // Does a picture have the parameter? What runs knows it; of the others, the site's builder has noted it.
+    has(at) { return isSheet(at) || at.program?.call('live_runs') ? Boolean(this.parameter(at)) : Boolean(at.getAttribute('numbers')?.split(' ').includes(this.name)); }
 
     parameter(at) { return isSheet(at) ? at.parameter(this.name) : at.program?.call('live_runs') && at.program.state().parameters.find(({name}) => name === this.name); }
 
-    // Set the parameter to the value that `from` returns, moved by this share of the parameter's range.
-    async move(from, share) {
+    // Set the parameter to the value that `from` returns, moved by the share of the parameter's range that `by` returns.
+    async move(from, by) {
         const turn = ++this.turn;
         let at = this.picture();
         if (!this.parameter(at)) {
@@ -61,25 +83,28 @@ export class Scrub {
         }
         const parameter = this.parameter(at);
         if (turn !== this.turn || !parameter) return;
-        const {minimum, maximum, type, multiplies} = parameter, start = from();
+        const {minimum, maximum, type, multiplies} = parameter, start = from(), share = by(parameter);
         const moved = share === 0 ? start : multiplies && start > 0 && minimum > 0 ? start * (maximum / minimum) ** share : start + share * (maximum - minimum);
-        this.value = Math.min(Math.max(type === 'int' ? Math.round(moved) : moved, minimum), maximum);
+        this.value = Math.min(Math.max(type === 'int' ? Math.round(moved) : share === 0 ? moved : Number(moved.toPrecision(3)), minimum), maximum);
+        this.number.textContent = String(this.value).replace('-', '−');
         this.code.setAttribute('aria-valuemin', minimum);
         this.code.setAttribute('aria-valuemax', maximum);
-        this.write();
+        this.say();
         if (isSheet(at)) at.set(this.name, this.value);
         else at.stage.call('live_set', this.name, 0, this.value);
         this.keepInSight(at);
     }
 
-    // A picture that is scrolled out of view floats over the page until the number loses the focus.
+    // A picture that is scrolled out of view floats over the page, away from the number, until the number loses the
+    // focus.
     keepInSight(at) {
-        if (this.at && this.at !== at) this.at.classList.remove('live-afloat');
+        if (this.at && this.at !== at) this.at.classList.remove('live-afloat', 'live-aloft');
         this.at = at;
         if (at.classList.contains('live-afloat')) return;
         const {top, bottom, height} = at.screen.getBoundingClientRect();
         if (top > -height / 4 && bottom < innerHeight + height / 4) return;
         at.style.setProperty('--height', `${height}px`);
         at.classList.add('live-afloat');
+        at.classList.toggle('live-aloft', this.code.getBoundingClientRect().bottom > at.screen.getBoundingClientRect().top - 20);
     }
 }

@@ -83,6 +83,7 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
             sheet.draw(now);
         }
         if (waiting.size > 0) frame ||= requestAnimationFrame(turn);
+        window.sheetParts?.rest?.();
     }
 
     // ---- Colours ----
@@ -90,7 +91,10 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
     // Each pen has a colour for a light page and one for a dark page.
     const isDark = () => { const {colorScheme} = getComputedStyle(document.documentElement); return colorScheme === 'dark' || (colorScheme !== 'light' && night.matches); };
     const pens = () => `const vec3 ${Object.entries(colours).map(([name, pair]) => `${name}=vec3(${pair[Number(isDark())]})`).join()};`;
+    let wasDark = isDark();
     function recolour() {
+        if (wasDark === isDark()) return; // site.js names the theme after the first figures are drawn
+        wasDark = isDark();
         for (const sheet of pen?.sheets ?? []) {
             sheet.forget();
             sheet.ask();
@@ -186,16 +190,18 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
             const far = (knob) => { const {left, top, width, height} = knob.getBoundingClientRect(); return width > 0 ? Math.hypot(left + width / 2 - event.clientX, top + height / 2 - event.clientY) : Infinity; };
             const knob = this.knobs.reduce((best, one) => !best || far(one) < far(best) ? one : best, null);
             if (!knob || far(knob) > REACH) {
-                if (this.camera) this.held = {id: event.pointerId, x: event.clientX, y: event.clientY, from: this.turned};
+                if (this.camera) this.hold(event, this.turned);
                 if (this.camera && event.pointerType === 'mouse') event.preventDefault();
-                if (this.camera) this.screen.setPointerCapture(event.pointerId);
                 return;
             }
             event.preventDefault(); // otherwise the browser would select text
             knob.focus({preventScroll: true});
             knob.classList.add('held');
-            this.screen.setPointerCapture(event.pointerId);
-            this.held = {knob, id: event.pointerId, from: knob.place ?? knob.parameter.value, x: event.clientX, y: event.clientY};
+            this.hold(event, knob.place ?? knob.parameter.value, knob);
+        }
+        hold({pointerId, clientX, clientY}, from, knob) {
+            this.screen.setPointerCapture(pointerId);
+            this.held = {knob, id: pointerId, from, x: clientX, y: clientY};
         }
         drag({pointerId, clientX, clientY}) {
             const {held} = this, unit = this.screen.clientHeight / 2;
@@ -257,6 +263,7 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
             const {gl} = pen;
             pen.sheets.add(this);
             this.places = null;
+            this.ready = false;
             this.program = gl.createProgram();
             this.fragment = shaderOf(gl.FRAGMENT_SHADER, HEAD + (this.own ? '' : pens()) + this.shader + tail(this.projects));
             gl.attachShader(this.program, pen.vertex);
@@ -274,6 +281,7 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
             }
             if (!gl.getProgramParameter(this.program, gl.LINK_STATUS)) {
                 console.error(`${this.getAttribute('name')}: ${gl.getShaderInfoLog(this.fragment)}`);
+                this.ready = true; // nothing more can be done
                 return false;
             }
             gl.deleteShader(this.fragment);
@@ -282,29 +290,40 @@ if(sheetAsked>0){uint word=floatBitsToUint(sheetTold[int(gl_FragCoord.y)]);sheet
             return true;
         }
 
+        // The context that draws all figures; false if there is none, or the browser has taken it away.
+        get pen() {
+            if (pen === null) begin();
+            return pen && !pen.gl.isContextLost() && pen;
+        }
+
         draw(now) {
             const {screen, canvas} = this;
             if (!this.near || screen.clientWidth < 1) return;
-            if (pen === null) begin();
-            if (!pen) return this.classList.add('still');
-            if (pen.gl.isContextLost()) return;
+            if (!this.pen) return this.classList.toggle('still', !pen);
             if (!this.program) this.compile();
             if (!this.isReady()) return;
-            const {gl} = pen, parts = window.sheetParts, ratio = Math.min(devicePixelRatio, 2), width = Math.round(screen.clientWidth * ratio), height = Math.round(screen.clientHeight * ratio);
+            const ratio = Math.min(devicePixelRatio, 2), width = Math.round(screen.clientWidth * ratio), height = Math.round(screen.clientHeight * ratio);
             if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
-            gl.useProgram(this.program);
-            gl.uniform3f(this.places.iResolution, width, height, 1);
-            gl.uniform1f(this.places.iTime, this.pass(now));
-            if (this.textures && !parts.bindTextures(pen, this)) return;
-            if (this.places.iSigns) parts.bindDigits(pen, Math.round(Math.max(height / 180, 1.6 * ratio)));
-            this.sendValues();
-            if (this.projects) parts.follow(pen, this);
+            if (!this.give(width, height, ratio, this.pass(now))) return;
+            if (this.projects) window.sheetParts.follow(pen, this);
             if (this.labels.length > 0) this.showNumbers(this.asked(1, NUMBERS));
             this.paint(width, height);
             for (const knob of this.knobs) this.show(knob);
             this.showInputs();
-            this.drawn = true;
+            this.ready = this.drawn = true;
             this.classList.add('drawn');
+        }
+
+        // Give the program all that it reads. Returns false if a texture has not arrived yet.
+        give(width, height, ratio, time) {
+            const {gl} = pen, parts = window.sheetParts;
+            gl.useProgram(this.program);
+            gl.uniform3f(this.places.iResolution, width, height, 1);
+            gl.uniform1f(this.places.iTime, time);
+            if (this.textures && !parts.bindTextures(pen, this)) return false;
+            if (this.places.iSigns) parts.bindDigits(pen, Math.round(Math.max(height / 180, 1.6 * ratio)));
+            this.sendValues();
+            return true;
         }
 
         // The time of a moving figure, which passes only while the figure is seen.

@@ -24,7 +24,7 @@ window.sheetParts = {
     // not read the pixels of another file.
     textures: {},
 
-    // Load the file of a texture once. Returns a promise.
+    // Load the file of a texture once: when its figure comes near the screen, or before (sheet_rest.js). Returns a promise.
     load(file) {
         return this.scripts[file] ??= new Promise((done) => {
             if (this.textures[file]) done();
@@ -65,9 +65,6 @@ window.sheetParts = {
         }).every(Boolean);
     },
 };
-
-// The textures are large, so they are loaded after the page, and before their figures are seen.
-addEventListener('load', () => { for (const {textures = []} of Object.values(window.sheets)) for (const {file} of textures) window.sheetParts.load(file); });
 
 // ---- Words ----
 

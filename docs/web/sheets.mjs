@@ -145,9 +145,16 @@ export const valuesIn = (html) => valuesOf(html).map(({name}) => name);
 export const parametersIn = (html) => valuesOf(html).filter(({type}) => type === 'float' || type === 'int').map(({name}) => name);
 
 // The script with the figures of a page, or '' if the page has none.
-export function scriptOf(html) {
+//   alone  the page consists of a figure, and no sentence sets what no slider and no point sets
+export function scriptOf(html, alone = false) {
     const names = namesIn(html);
-    const short = (key, value) => value?.type && !value.handle ? {...value, meaning: undefined} : value; // only a point says its meaning
+    // Only what sheet.js reads: a number is a float unless a type is given, and only a point has a step and says its meaning.
+    const known = (name) => !alone || html.includes(` data-name="${name}"`);
+    const short = (key, one) => one?.type ? {
+        name: one.name, type: one.type === 'float' ? undefined : one.type, value: one.value,
+        ...known(one.name) && {minimum: one.minimum, maximum: one.maximum, multiplies: one.multiplies || undefined, unit: one.unit},
+        ...one.handle && {step: one.step, meaning: one.meaning},
+    } : one;
     return names.length > 0 ? `sheets=${JSON.stringify({colours: names.every((name) => all.get(name).own) ? {} : pens, ...Object.fromEntries(names.map((name) => [name, all.get(name)]))}, short)};\n` : '';
 }
 

@@ -235,4 +235,9 @@
         document.querySelector('main').append(atEnd);
     });
     addEventListener('afterprint', () => { atEnd?.remove(); atEnd = null; });
+
+    // ---- Figures ----
+
+    // What a page does while it rests is loaded last.
+    if (document.querySelector('figure-sheet')) addEventListener('load', () => document.head.append(Object.assign(document.createElement('script'), {src: 'sheet_rest.js'})));
 })();

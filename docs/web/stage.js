@@ -6,6 +6,7 @@ import {shownBy, withChanges} from './edits.js';
 import {Values} from './values.js';
 import {Ray} from './ray.js';
 
+const HALVES = 'This device keeps frames in numbers of 16 bits: a mean stops after 64 frames, and simulations differ from those on a desktop.';
 const LOOK = 200; // milliseconds between two updates from the program's state
 const LONG = 2000; // milliseconds of compiling after which the reader is told
 const PRESS = 1, RELEASE = 0;
@@ -404,13 +405,15 @@ export class Stage {
         this.still.hidden = !(state.paused && calm.matches);
         if (document.activeElement !== this.time) this.time.value = state.time.toFixed(state.paused ? 3 : 1);
         const size = state.divisor > 1 ? ` (drawn at 1/${Number(state.divisor.toFixed(1))})` : '';
-        this.status.textContent = `${state.size.join(' × ')}${size} · ${state.milliseconds.toFixed(0)} ms · ${state.rate.toFixed(0)} fps`;
+        const {kept} = state, frame = kept ? ` · frame ${kept.frame}${kept.last >= 0 ? ` of ${kept.last}` : ''}` : '';
+        this.status.textContent = `${state.size.join(' × ')}${size} · ${state.milliseconds.toFixed(0)} ms · ${state.rate.toFixed(0)} fps${frame}`;
         const error = state.error.replaceAll('/course/', '');
         if (this.error.textContent !== error) this.error.textContent = error;
         this.error.hidden = error === '';
         // An input that nothing sets is reported over the picture until there is a more serious message.
-        if (error === '' && state.unset !== this.unset) this.note(state.unset);
-        this.unset = state.unset;
+        const unset = state.unset || (kept?.halves ? HALVES : '');
+        if (error === '' && unset !== this.unset) this.note(unset);
+        this.unset = unset;
         if (this.wrong && error === '') this.note(this.wrong.replaceAll('/course/', ''));
         this.wrong = '';
         this.compiles(state.compiles);

@@ -1,5 +1,6 @@
 // figures.mjs [PATTERN] - tests every interactive figure in Chromium, in pages 1440 pixels wide with the mouse and 390
-// pixels wide with a finger (each_figure.mjs), and as a single file.
+// pixels wide with a finger (each_figure.mjs), and as a single file. In continuous integration (CI without ALL), every
+// second page is wide, and the others are narrow.
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
 import {pathToFileURL} from 'node:url';
@@ -34,8 +35,10 @@ async function driverOf(page, phone) {
 
 // Most of a page's time is spent waiting for frames, so several pages are tested side by side.
 const LANES = 4;
-const screens = [[1440, {viewport: {width: 1440, height: 900}}], [390, {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2}]];
-const all = {count: 0, points: 0, turns: 0}, tasks = screens.flatMap(([width, context]) => pagesWith(process.argv[2]).map((name) => ({width, context, name})));
+// The dense screen of a telephone, on which each figure has four times as many pixels, is that of hands.mjs.
+const screens = [[1440, {viewport: {width: 1440, height: 900}}], [390, {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true}]];
+const all = {count: 0, points: 0, turns: 0}, inBoth = process.env.ALL || !process.env.CI;
+const tasks = screens.flatMap(([width, context], s) => pagesWith(process.argv[2]).map((name) => ({width, context, name})).filter((_, k) => inBoth || k % 2 === s));
 async function work() {
     for (let task; (task = tasks.shift()) !== undefined;) {
         const {width, context, name} = task, {page, said} = await blankPage(browser, {context, before: record});
@@ -70,8 +73,8 @@ if (!process.argv[2]) {
     await page.close();
 }
 
-console.log(`# ${all.count} figures in two widths, ${all.points} drags`);
-if (!process.argv[2]) check('at least ten figures are turned in space', all.turns >= 20, all.turns);
+console.log(`# ${all.count} figures, ${all.points} drags`);
+if (!process.argv[2]) check('at least ten figures are turned in space', all.turns >= (inBoth ? 20 : 10), all.turns);
 finish();
 await browser.close();
 server.close();

@@ -215,9 +215,9 @@ for (const [name, context] of [['mouse', DESK], ['finger', PHONE]]) {
 ({page, said} = await open('03_shadows.html', {...DESK, bypassCSP: true}));
 await page.evaluate(() => {
     const line = document.createElement('p');
-    line.innerHTML = 'With <code class="scrub">lampHeight=2</code>.';
+    line.innerHTML = 'With <code class="scrub" data-name="lampHeight">lampHeight=<data value="2">2</data></code>.';
     document.querySelector('live-chapter').after(line);
-    return import('./live.js').then((live) => live.scrub(line.firstElementChild));
+    return import('./live.js').then((live) => { live.scrub(line.firstElementChild); });
 });
 const code = page.locator('code.scrub').first();
 let box = await code.boundingBox();
