@@ -186,8 +186,9 @@ verdict() { # STATUS RELEASE WHO WHAT TEXT
         failed=$((failed + 1))
     fi
     printf '%-10s %-7s %-28s %s, %s\n' "$2" "$3" "$4" "$word" "$5"
-    # tests/run names the tests that failed; the end of any other output is shown.
-    [ "$1" = 0 ] || { grep '^FAILED: ' "$log" || tail -n 25 "$log"; } | sed 's/^/    /'
+    # Of the output of tests/run, what it says about the suites that failed is shown; of any other output, the end.
+    [ "$1" = 0 ] || { grep -q '^FAILED: ' "$log" && awk '/^[^ ].* FAILED/ { on = 1; print; next } /^[^ ]/ { on = 0 }
+        on || /^FAILED: /' "$log" || tail -n 25 "$log"; } | sed 's/^/    /'
     return "$1"
 }
 

@@ -22,8 +22,9 @@ FILE *system_open_scratch(void);
 // Remove a folder with everything in it.
 bool system_remove_folder(const char *path);
 
-// The number of files that this process has open; two calls give the same number unless a file was
-// left open in between. If the system has no /proc/self/fd, says so and returns -1.
+// The number of files that this process has open, without those of the driver's cache of compiled
+// shaders; two calls give the same number unless a file was left open in between. If the system has
+// no /proc/self/fd, says so and returns -1.
 int system_open_files(void);
 
 // Run one of the programs built with the tests, with a line of arguments, and read its output and
