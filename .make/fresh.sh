@@ -174,6 +174,15 @@ step() {
     verdict "$status" "$1" "$2" "$3" "$((SECONDS - start)) s"
 }
 
+# Print from the output of tests/run what it says about the suites that failed; from any other output, the end.
+shown() {
+    if grep -q '^FAILED: ' "$log"; then
+        awk '/^[^ ].* FAILED/ { on = 1; print; next } /^[^ ]/ { on = 0 } on || /^FAILED: /' "$log"
+    else
+        tail -n 25 "$log"
+    fi
+}
+
 verdict() { # STATUS RELEASE WHO WHAT TEXT
     local word=ok
     if [ "$1" = 0 ]; then
@@ -186,9 +195,7 @@ verdict() { # STATUS RELEASE WHO WHAT TEXT
         failed=$((failed + 1))
     fi
     printf '%-10s %-7s %-28s %s, %s\n' "$2" "$3" "$4" "$word" "$5"
-    # Of the output of tests/run, what it says about the suites that failed is shown; of any other output, the end.
-    [ "$1" = 0 ] || { grep -q '^FAILED: ' "$log" && awk '/^[^ ].* FAILED/ { on = 1; print; next } /^[^ ]/ { on = 0 }
-        on || /^FAILED: /' "$log" || tail -n 25 "$log"; } | sed 's/^/    /'
+    [ "$1" = 0 ] || shown | sed 's/^/    /'
     return "$1"
 }
 
