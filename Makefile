@@ -35,6 +35,11 @@ FUZZER =
 # The input and output of awk, sort and gcc must not depend on the user's language.
 export LC_ALL = C
 export CHAPTER FIGURE LIST NOTES SUITE COUNT SEED NAME EXERCISE EXERCISES CSV CSV_STYLE STUDENTS IDENTIFIER WEIGHTS FILE FILES PICTURES FORCE FRAMES FPS VIEW ROUNDS WRITE ADDRESS DURATION SECONDS PROGRAM
+# Without this, `make run chapter=03` would open chapter 00 without a word.
+SMALL := $(firstword $(filter chapter=% figure=% exercise=% suite=% view=% options=% name=% file=%,$(MAKEOVERRIDES)))
+ifneq ($(SMALL),)
+$(error $(SMALL): write the name in capitals, as in make run CHAPTER=03)
+endif
 
 # Recursive makes run in parallel, unless the caller has chosen the number of jobs.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)

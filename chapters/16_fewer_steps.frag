@@ -13,7 +13,7 @@
 #include "bounds.glsl"     // boxInterval, intervalUnion
 #include "coarse.glsl"     // coarseStart
 
-uniform bool  lit;          // false: show the scene in sunlight instead of its steps
+uniform float lit;          // 0 in [0, 1] step 0.05, widths of the picture: left of it the scene is shown in sunlight instead of its steps
 uniform float divider;      // 0.5 in [0, 1] step 0.05, widths of the picture: left of it the scene is marched as before, right of it with the methods below
 uniform float far;          // 150 in [20, 100000] step *1.5, scene units: a ray that has travelled this far meets the sky, on both sides
 uniform bool  boxes;        // true: march only in the boxes around the pier and the poles
@@ -199,6 +199,6 @@ vec3 rayColour(Ray ray)
         traceNormal(vec3(0.0, 1.0, 0.0));
         traceMarch(steps, ground, END_HIT);
     }
-    bool sunny = lit || VIEW == VIEW_NORMALS; // sceneLight computes the normals for their view
+    bool sunny = fraction < lit || VIEW == VIEW_NORMALS; // sceneLight computes the normals for their view
     return sunny ? encodeSRGB(sceneLight(ray, hit, ground)) : stepColour(steps);
 }

@@ -249,6 +249,8 @@ check 'make run renders to a file if the compositor is gone' \
 check 'make run can run a benchmark without a display' eval "DISPLAY='' WAYLAND_DISPLAY='' runs --benchmark 1 \"\${size[@]}\" && grep -q '^shader  *00_' \"\$scratch/out\""
 refuses() { runs -p nothing=1; [ $? = 2 ] && [ ! -s "$scratch/out" ] && [ "$(grep -c '' "$scratch/err")" = 1 ]; }
 check 'make run refuses an unknown parameter' refuses
+refuses_small() { ! make -n run chapter=03 >/dev/null 2>"$scratch/err" && [ "$(grep -c 'capitals.*CHAPTER=03' "$scratch/err")" = 1 ]; }
+check 'make refuses a name in small letters' refuses_small
 
 # ---- The course's own shaders, printed ----
 
