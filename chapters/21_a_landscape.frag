@@ -164,19 +164,18 @@ vec3 skyLight(vec3 direction, Hour now, bool mirrored, out float open)
 struct Surface {
     vec3  p, normal, colour;
     float lamp; // 1 in a lit window, otherwise 0
-    bool  met;  // false for the sky
 };
 
-Surface surfaceAt(vec3 p, vec3 direction, float width, bool met, bool thing)
+Surface surfaceAt(vec3 p, vec3 direction, float width, bool thing)
 {
     vec2 slope = higherGround(hills(inValley(p.xz)).xyz, shore(inValley(p.xz))).yz; // at a grazing angle a pixel covers more ground
     float facing = abs(dot(direction, normalize(vec3(-fromValley(slope), 1.0)).xzy));
     float count = log2(1.2 * sqrt(facing) / (CELLS * width)) / log2(LACUNARITY);
-    vec4 land = landAt(inValley(p.xz), met ? clamp(count, 1.0, 12.0) : 0.0);
+    vec4 land = landAt(inValley(p.xz), thing ? 1.0 : clamp(count, 1.0, 12.0));
     vec3 normal = normalize(vec3(-fromValley(land.yz), 1.0)).xzy, ofThing = thingNormal(p);
     vec4 paint = thingColour(p, ofThing);
     vec3 colour = landColour(p, direction, normal, land.w, width);
-    return Surface(p, thing ? ofThing : normal, thing ? paint.rgb : colour, thing ? paint.w : 0.0, met);
+    return Surface(p, thing ? ofThing : normal, thing ? paint.rgb : colour, thing ? paint.w : 0.0);
 }
 
 // The visible share of the disc of the sun or the moon. The ray goes to the upper rim of the disc.
@@ -188,7 +187,7 @@ float lightSeen(Surface surface, vec3 toLight, float radius)
     vec3 rim = normalize(toLight + vec3(0.0, DISC, 0.0));
     Ray up = shadowRay(surface.p, surface.normal, rim, 3.0 * radius);
     float far = min((HIGHEST - surface.p.y) / max(rim.y, 0.02), SHADOW_FAR);
-    far = surface.met ? shadowReach(surface.normal, toLight, far) : 0.0;
+    far = shadowReach(surface.normal, toLight, far);
     asked = 1;
     way = oneWay(abs(rim.y));
     float t = 0.0, clear = 1e3;
@@ -242,7 +241,9 @@ vec3 rayColour(Ray ray)
     }
 
     // The light of the point where the ray ends, dimmed by the mist on the path to the water and to the eye.
-    Surface surface = surfaceAt(p, direction, 2.0 * spread * t + sqrt(waves.variance) * then, met, thing > 0.0);
+    Surface surface = Surface(p, vec3(0.0, 1.0, 0.0), vec3(0.0), 0.0);
+    if (met)
+        surface = surfaceAt(p, direction, 2.0 * spread * t + sqrt(waves.variance) * then, thing > 0.0);
     float open;
     vec3 sky = skyLight(direction, now, lake, open);
     vec3 light = met ? surfaceLight(surface, now, lightSeen(surface, now.toLight, coarseMargin(t))) : sky;
