@@ -161,6 +161,13 @@ static void step_by_page(struct window *window, int by)
         window_step(window, by);
 }
 
+// A captured mouse can be released in every picture.
+static void capture(struct window *window)
+{
+    if (window->input.captured || window_key_acts(window, KEY_WITH_CAMERA))
+        window_input_capture(&window->input);
+}
+
 static void blacken(struct window *window)
 {
     window->black = !window->black && window_has_scenes(window);
@@ -216,7 +223,8 @@ const struct key_row window_keys[] = {
                 "differs seems to move; with Shift, show half of each",
      .binding = {{GLFW_KEY_L, .change = show_side, .amount = false, .shifted = true}}},
     {.label = "M", .does = "capture mouse", .condition = KEY_WITH_CAMERA,
-     .meaning = "capture the mouse, so that you can look around without holding a button, or release it"},
+     .meaning = "capture the mouse, so that you can look around without holding a button, or release it",
+     .binding = {{GLFW_KEY_M, .act = capture}}},
     {.label = "click", .does = "select ray", .condition = KEY_WITH_MARCH,
      .meaning = "select a pixel and show the march of its ray step by step; on a line of that table, go to "
                 "the step. A second click on the same pixel deselects it. When the camera moves, the ray "

@@ -56,9 +56,9 @@ void window_retitle(struct window *window)
         snprintf(rate, sizeof rate, " - %.*f fps", window->pace.rate < 9.95 ? 1 : 0,
                  window->pace.rate);
     snprintf(text, sizeof text, "%.60s%s%s - %s%s%s%s%.60s%s", name_of(window),
-             window->broken ? " - error" : "", rate, shader_view_name(window->renderer->view),
-             parameter != NULL ? " - " : "", name, parameter != NULL ? " = " : "", value,
-             window->paused ? " (paused)" : "");
+             window->panel.error[0] != '\0' ? " - error" : "", rate,
+             shader_view_name(window->renderer->view), parameter != NULL ? " - " : "", name,
+             parameter != NULL ? " = " : "", value, window->paused ? " (paused)" : "");
     report_clean(text, sizeof text, text); // a name may have been cut within a character
     if (strcmp(text, window->title.shown) != 0)
         glfwSetWindowTitle(window->handle, text);

@@ -89,7 +89,7 @@ static void release(struct window_input *input, bool clicked)
     input->state = BUTTON_UP;
 }
 
-static void capture(struct window_input *input)
+void window_input_capture(struct window_input *input)
 {
     release(input, false);
     input->captured = !input->captured;
@@ -146,9 +146,7 @@ static void on_key(GLFWwindow *window, int key, int scancode, int action, int mo
         input->held[held] = action != GLFW_RELEASE;
         return;
     }
-    if (key == GLFW_KEY_M && action == GLFW_PRESS)
-        capture(input);
-    else if (action != GLFW_RELEASE)
+    if (action != GLFW_RELEASE)
         add(input, (struct window_event){.kind = EVENT_KEY,
                                          .amount = key,
                                          .shifted = (modifiers & GLFW_MOD_SHIFT) != 0,

@@ -97,6 +97,10 @@ void window_input_count(struct window_input *input);
 // Forget the gathered events. Held keys stay held.
 void window_input_forget(struct window_input *input);
 
+// Capture the pointer, so that each of its movements is an EVENT_LOOK and it leaves no window, or
+// release it.
+void window_input_capture(struct window_input *input);
+
 // True while a key that moves the camera is held.
 bool window_input_moves(const struct window_input *input);
 

@@ -340,6 +340,7 @@ void window_warn(struct window *window, const char *text)
 {
     snprintf(window->panel.error, sizeof window->panel.error, "%s", text);
     window->dirty = true;
+    window->title.due = 0.0;
 }
 
 void window_fill_screen(struct window *window)

@@ -29,6 +29,13 @@ for exercise in 00_2 03_2 10_7 11_2 12_2 13_2; do
     check "$exercise: the solution is accepted" accepted $exercise chapters/solutions/"${exercise%_*}"_*_"${exercise#*_}".frag
     check "$exercise: the unsolved chapter is refused" refused $exercise chapters/"${exercise%_*}"_*.frag
 done
+check 'a number may lack its leading zero' accepted 3_2 chapters/solutions/03_shadows_2.frag
+ends() { # STATUS FILE
+    env -u EXERCISE -u FILE -u FILES make -s check EXERCISE=03_2 FILE="$2" >"$scratch/out" 2>"$scratch/err"
+    [ $? = "$1" ] && [ ! -s "$scratch/err" ]
+}
+check 'make adds nothing to a right answer' ends 0 chapters/solutions/03_shadows_2.frag
+check 'make adds nothing to a wrong one' ends 0 chapters/03_shadows.frag
 
 # A folder outside the project, such as a lecturer's. It contains files from several students, some with the same name.
 handed_in="$scratch/handed in"

@@ -1,7 +1,10 @@
 // chapters.c - tests that every chapter opens in a window, that its camera moves, and that it
-// reports nothing.
+// reports nothing; and that all chapters can be paged through.
 #include <dirent.h>
 
+#include "linked.h"
+#include "lib/programs.h"
+#include "lib/scratch.h"
 #include "lib/session.h"
 
 static void try_chapter(const char *stem)
@@ -35,6 +38,51 @@ SESSION_TEST(every_chapter_opens_and_moves)
     }
     closedir(folder);
     assert_true(count >= 22);
+}
+
+enum { MIDDLE = 13 }; // a scene of this test: the shader of a reader, which is broken at first
+
+// Page to a scene with a key. In the middle, the window says that the shader has an error, until it
+// is mended.
+static void page_to(int scene, int key)
+{
+    struct chapter chapter;
+    if (scene == MIDDLE)
+        scratch_write("mine.frag", "void mainImage(");
+    session_key(key);
+    session_turn();
+    if (scene == MIDDLE) {
+        session_wait(0.5);
+        session_assert_title("error");
+        assert_non_null(strstr(session_said(2), "mine.frag"));
+        scratch_write("mine.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5); }");
+        session_wait(0.5);
+    }
+    assert_false(session_titled("error"));
+    assert_true(programs_find(linked_chapters[scene].stem, &chapter));
+    session_assert_title(scene == MIDDLE ? "mine.frag" : chapter.title);
+    assert_string_equal(session_said(2), "");
+}
+
+SESSION_TEST(two_keys_page_through_all_chapters_and_back)
+{
+    static char list[8192], path[4096];
+    int count = 0, length = 0;
+    for (; linked_chapters[count].stem != NULL; count++)
+        length += snprintf(list + length, sizeof list - (size_t)length, "%.2s%s%s\n",
+                           linked_chapters[count].stem, count == MIDDLE ? " --shader " : "",
+                           count == MIDDLE ? scratch_path("mine.frag") : "");
+    assert_true(count > MIDDLE);
+    scratch_write("mine.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5); }");
+    snprintf(path, sizeof path, "%s", scratch_write("list.txt", list));
+    session_open_lecture(path);
+    if (getenv("ALL") != NULL)
+        user_resize(1280, 720); // takes ten times as long
+    for (int i = 1; i < count; i++)
+        page_to(i, GLFW_KEY_PAGE_DOWN);
+    for (int i = count - 2; i >= 0; i--)
+        page_to(i, GLFW_KEY_PAGE_UP);
+    session_close();
 }
 
 TESTS(NULL, NULL)

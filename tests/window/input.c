@@ -100,6 +100,7 @@ TEST_WITH(a_free_pointer_does_not_turn_the_camera, set_up, NULL)
 TEST_WITH(a_captured_pointer_turns_the_camera, set_up, NULL)
 {
     user_press(GLFW_KEY_M, 0);
+    assert_turned(10, 20);
     user_point(3000, 2000); // the origin of a captured pointer's position is arbitrary
     user_point(3040, 1980);
     assert_turned(16, 23);

@@ -343,48 +343,6 @@ SESSION_TEST(hints_are_those_that_a_mac_needs)
     context_close(&hidden);
 }
 
-// Chapter 00 does not read the camera, and the window says so once.
-SESSION_TEST(a_key_that_does_nothing_says_why)
-{
-    session_open("00_first_scene", "--size 320x200 --time 0");
-    session_key(GLFW_KEY_ESCAPE); // pauses
-    session_wait(0.5);
-    session_keep(0);
-    for (int i = 0; i < 2; i++) {
-        user_press(GLFW_KEY_W, 0);
-        session_wait(0.2);
-        user_release(GLFW_KEY_W);
-        session_turn();
-        assert_true((session_off(0, (const int[]){8, 130, 300, 60}) > 0.1) == (i == 0));
-        session_wait(6.0);
-        assert_true(session_off(0, (const int[]){8, 130, 300, 60}) <= 0.0);
-    }
-    session_close();
-}
-
-SESSION_TEST(a_still_picture_is_neither_paused_nor_restarted)
-{
-    session_open(CHAPTER, "--size 320x200 --shader chapters/01_normal_colouring.frag");
-    session_key(GLFW_KEY_ESCAPE);
-    assert_false(session_titled("(paused)"));
-    session_wait(6.0); // the overlay no longer says why
-    session_keep(0);
-    session_key(GLFW_KEY_R);
-    assert_true(session_off(0, (const int[]){8, 130, 300, 60}) > 0.1); // it says what else R does
-    session_close();
-}
-
-SESSION_TEST(a_selected_ray_changes_the_list_of_keys)
-{
-    session_open(CHAPTER, "--size 320x200 --shader chapters/01_normal_colouring.frag");
-    assert_null(strstr(session_window()->panel.hint, "X: deselect ray"));
-    session_key(GLFW_KEY_E); // the ray of the middle pixel
-    assert_non_null(strstr(session_window()->panel.hint, "X: deselect ray"));
-    session_key(GLFW_KEY_X);
-    assert_null(strstr(session_window()->panel.hint, "X: deselect ray"));
-    session_close();
-}
-
 SESSION_TEST(a_key_opens_the_shader_in_an_editor)
 {
     char text[4200], line[4200] = "";

@@ -1,0 +1,105 @@
+// notes.c - tests what a window says about its keys: the line with which a program begins, the list
+// of K, and the notes of keys that do nothing here.
+#include "lib/session.h"
+#include "window/state.h"
+
+#define CHAPTER "01_normal_colouring"
+
+// The line that a chapter's program prints before its first picture must be this one.
+static void assert_greets(const char *stem, const char *line)
+{
+    session_open(stem, "--size 64x36");
+    session_said(1);
+    session_key(GLFW_KEY_BACKSPACE);
+    assert_true(session_run());
+    assert_string_equal(session_said(1), line);
+    session_close();
+}
+
+SESSION_TEST(a_program_begins_with_the_keys_that_act)
+{
+    assert_greets("00_first_scene", "K: keys, Backspace: quit\n");
+    assert_greets(CHAPTER, "drag: look around, W A S D: move, K: keys, Backspace: quit\n");
+}
+
+// True if the list of keys has an entry for what a key does.
+static bool lists(const char *does)
+{
+    const struct window *window = session_window();
+    for (int i = 0; i < window->panel.key_count; i++)
+        if (strcmp(window->panel.keys[i].does, does) == 0)
+            return true;
+    return false;
+}
+
+SESSION_TEST(the_list_has_the_keys_that_act)
+{
+    session_open("00_first_scene", "--size 320x200");
+    assert_true(lists("pause") && !lists("move") && !lists("select ray") && !lists("view"));
+    session_close();
+    session_open(CHAPTER, "--size 320x200");
+    assert_true(lists("move") && lists("select ray") && lists("view") && !lists("black screen"));
+    session_close();
+    session_open_lecture(NULL);
+    assert_true(lists("black screen") && lists("chapter or scene") && !lists("part"));
+    session_close();
+}
+
+// Chapter 00 does not read the camera, and the window says so once.
+SESSION_TEST(a_key_that_does_nothing_says_why)
+{
+    session_open("00_first_scene", "--size 320x200 --time 0");
+    session_key(GLFW_KEY_ESCAPE); // pauses
+    session_wait(0.5);
+    session_keep(0);
+    for (int i = 0; i < 2; i++) {
+        user_press(GLFW_KEY_W, 0);
+        session_wait(0.2);
+        user_release(GLFW_KEY_W);
+        session_turn();
+        assert_true((session_off(0, (const int[]){8, 130, 300, 60}) > 0.1) == (i == 0));
+        session_wait(6.0);
+        assert_true(session_off(0, (const int[]){8, 130, 300, 60}) <= 0.0);
+    }
+    session_close();
+}
+
+SESSION_TEST(only_a_picture_with_a_camera_captures_the_mouse)
+{
+    session_open("00_first_scene", "--size 320x200 --time 0");
+    session_key(GLFW_KEY_M);
+    assert_false(user.captured);
+    assert_non_null(strstr(session_window()->panel.note, "does not read the camera"));
+    session_close();
+    session_open(CHAPTER, "--size 320x200");
+    session_key(GLFW_KEY_M);
+    assert_true(user.captured);
+    session_key(GLFW_KEY_M);
+    assert_false(user.captured);
+    session_close();
+}
+
+SESSION_TEST(a_still_picture_is_neither_paused_nor_restarted)
+{
+    session_open(CHAPTER, "--size 320x200 --shader chapters/01_normal_colouring.frag");
+    session_key(GLFW_KEY_ESCAPE);
+    assert_false(session_titled("(paused)"));
+    session_wait(6.0); // the overlay no longer says why
+    session_keep(0);
+    session_key(GLFW_KEY_R);
+    assert_true(session_off(0, (const int[]){8, 130, 300, 60}) > 0.1); // it says what else R does
+    session_close();
+}
+
+SESSION_TEST(a_selected_ray_changes_the_list_of_keys)
+{
+    session_open(CHAPTER, "--size 320x200 --shader chapters/01_normal_colouring.frag");
+    assert_null(strstr(session_window()->panel.hint, "X: deselect ray"));
+    session_key(GLFW_KEY_E); // the ray of the middle pixel
+    assert_non_null(strstr(session_window()->panel.hint, "X: deselect ray"));
+    session_key(GLFW_KEY_X);
+    assert_null(strstr(session_window()->panel.hint, "X: deselect ray"));
+    session_close();
+}
+
+TESTS(NULL, NULL)
