@@ -1,4 +1,4 @@
-// Chapter 16: fewer steps. What the steps of a march are spent on, and six methods to save steps.
+// Chapter 16: fewer steps. What the steps of a march are spent on, and five methods to save steps.
 //
 // The page is docs/16_fewer_steps.md.
 #include "../common/chapter.h"
