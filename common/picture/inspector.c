@@ -283,7 +283,7 @@ static void heading_of(const struct inspector *inspector, const struct table *ta
     if (inspector->side != NULL)
         snprintf(side, sizeof side, " (%s)", inspector->side);
     if (row >= 0)
-        snprintf(step, sizeof step, ": step %d of %d", row, all - 1);
+        snprintf(step, sizeof step, ": step %d, last %d", row, all - 1);
     if (row >= 0 && inspector->side != NULL)
         what = ""; // the heading would be too long otherwise
     snprintf(text, size, "%spixel %d, %d%s%s", what, inspector->pixel[0], inspector->pixel[1], side,

@@ -107,11 +107,12 @@ static void reset(struct window *window)
     window_parameter_changed(window);
 }
 
-// Go to the first step of the selected ray. If there is none, show the contents or, outside a
-// course, reset the selected parameter.
+// Go to the first step of the selected ray. If there is none, or if the course's ray is there
+// already, show the contents or, outside a course, reset the selected parameter.
 static void go_first(struct window *window)
 {
-    if (window_step_to(window, false))
+    bool there = window->inputs.pixel[0] >= 0 && window->inputs.shown == 1.0f;
+    if (!(there && window_has_contents(window)) && window_step_to(window, false))
         return;
     if (window_has_contents(window))
         window_toggle_contents(window);
@@ -201,7 +202,7 @@ const struct key_row window_keys[] = {
                 "the steps of a ray; with Shift, go back",
      .binding = {{GLFW_KEY_N, .change = change_scene, .amount = 1, .shifted = -1}}},
     {.label = "Home", .does = "contents", .condition = KEY_WITH_CONTENTS,
-     .meaning = "in the course, show all chapters, unless a ray is selected",
+     .meaning = "in the course, show all chapters; while a ray is selected, a second press is needed",
      .binding = {{0}}}, // go_first
     {.label = "Shift+1…9", .does = "part", .condition = KEY_IN_LECTURE,
      .meaning = "in a lecture, go to a part",

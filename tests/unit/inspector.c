@@ -94,7 +94,7 @@ TEST_WITH(the_row_of_the_step_is_visible_and_marked, set_up, NULL)
     for (int k = 0; k < STEPS; k++) {
         char heading[64], t[32];
         gather(640, 360, 10, 20, (float)(k + 1));
-        snprintf(heading, sizeof heading, "ray of pixel 10, 20: step %d of 59", k);
+        snprintf(heading, sizeof heading, "ray of pixel 10, 20: step %d, last 59", k);
         snprintf(t, sizeof t, "%d.500000", k);
         float row = height_of(t), band = -1.0f;
         assert_true(height_of(heading) > 0.0f && row > 0.0f);

@@ -8,6 +8,7 @@
 #include "lib/scratch.h"
 #include "lib/session.h"
 #include "report.h"
+#include "window/state.h"
 
 #define STILL "--samples 1 --camera 1.65,1.6,3.4,-26,-23.5"
 #define SIZE  "--size 320x180 "
@@ -491,7 +492,11 @@ SESSION_TEST(the_sheet_of_contents_opens_a_chapter)
     key(GLFW_KEY_ENTER, 0);
     turns(30);
     assert_chapter("09_sky_and_sunset");
+    key(GLFW_KEY_Q, 0);    // the last step of a ray
+    key(GLFW_KEY_HOME, 0); // its first step
+    assert_false(lecture_window(lecture)->contents.open);
     key(GLFW_KEY_HOME, 0);
+    assert_true(lecture_window(lecture)->contents.open);
     user_click(40.0, 40.0, GLFW_MOUSE_BUTTON_LEFT); // the first picture of the first row
     turns(30);
     assert_chapter("00_first_scene");
