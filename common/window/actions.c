@@ -53,11 +53,13 @@ static void show_keys(struct window *window)
 static void change_side(struct window *window)
 {
     window->panel.right = !window->panel.right;
+    window->panel.room = ROOM_DECIDED;
 }
 
 static void roll(struct window *window)
 {
     window->panel.rolled = !window->panel.rolled;
+    window->panel.room = ROOM_DECIDED;
 }
 
 static void restart(struct window *window, int camera)

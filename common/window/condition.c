@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "picture/comparison.h"
+#include "shader/view.h"
 #include "window/frames.h"
 #include "window/lens.h"
 #include "window/state.h"
@@ -45,14 +46,15 @@ bool window_has_scenes(const struct window *window)
     return window->start->caption != NULL || window_has_contents(window);
 }
 
-// True if a linked program of a picture reads the camera.
+// True if the linked programs that follow the rays of pixels read the camera. Other programs, such
+// as that of the slice, always do.
 static bool reads_camera(const struct renderer *renderer)
 {
     bool reads = renderer->comparison != NULL && reads_camera(renderer->comparison->other);
-    for (int i = 0; i < SHADER_PROGRAM_COUNT && !reads; i++)
-        reads =
-            renderer->program[i] != 0 && inputs_reads(renderer->gl, renderer->program[i],
-                                                      &renderer->fragment, INPUT_EYE, INPUT_FOCAL);
+    for (enum shader_view i = 0; i <= VIEW_PROBE && !reads; i++)
+        reads = renderer->program[i] != 0 && !shader_shows_ray(i) &&
+                inputs_reads(renderer->gl, renderer->program[i], &renderer->fragment, INPUT_EYE,
+                             INPUT_FORWARD);
     return reads;
 }
 

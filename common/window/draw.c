@@ -130,9 +130,12 @@ static void fill_overlay(struct window *window)
         .rows = &window->panel.rows,
     };
     char tip[512];
-    window_panel_fill(window, &panel, tip);
-    panel_gather(&panel, &window->panel.overlay, inputs->width, inputs->height,
-                 scale > 0.0 ? (float)scale : own);
+    int moves = 0;
+    do {
+        window_panel_fill(window, &panel, tip);
+        panel_gather(&panel, &window->panel.overlay, inputs->width, inputs->height,
+                     scale > 0.0 ? (float)scale : own);
+    } while (window_uncover_handles(window, moves++));
     window_draw_handles(window);
     if (window->black)
         cover(&window->panel.overlay);

@@ -103,6 +103,36 @@ bool window_place_handles(struct window *window)
     return count >= 0;
 }
 
+// True if the panel is drawn above a handle that would be shown without it.
+static bool is_covering(const struct window *window)
+{
+    float scale = window->panel.overlay.scale;
+    for (int i = 0; i < window->handles.count && are_shown(window); i++) {
+        const struct handle *handle = &window->handles.item[i];
+        if (handle->seen &&
+            panel_rows_hold(&window->panel.rows, handle->pixel[0] / scale,
+                            ((float)window->inputs.height - handle->pixel[1]) / scale))
+            return true;
+    }
+    return false;
+}
+
+bool window_uncover_handles(struct window *window, int moves)
+{
+    enum panel_room *room = &window->panel.room;
+    if ((moves == 0 && *room != ROOM_UNKNOWN) || *room >= ROOM_COLLAPSED ||
+        window->handles.count == 0 || window->panel.in_page)
+        return false;
+    if (!is_covering(window)) {
+        *room = moves == 0 ? ROOM_DECIDED : *room;
+        return false;
+    }
+    *room = moves == 0 && !window->panel.right ? ROOM_MOVED : ROOM_COLLAPSED;
+    window->panel.right = true;
+    window->panel.rolled |= *room == ROOM_COLLAPSED;
+    return true;
+}
+
 void window_draw_handles(struct window *window)
 {
     static const struct overlay_colour core = {{36, 110, 214, 255}};

@@ -102,8 +102,10 @@ static void drag(struct window *window, const struct window_event *event)
     int first, end;
     double right = (double)(event->unit[0] - window->grab.at[0]);
     struct parameter *parameter = window_grabbed(window, &first, &end);
-    if (window->grab.what == GRAB_TITLE)
+    if (window->grab.what == GRAB_TITLE) {
         window->panel.right = event->pixel[0] > 0.5 * window->inputs.width;
+        window->panel.room = ROOM_DECIDED;
+    }
     if (window->grab.what != GRAB_VALUE || window->grab.button != 0 || parameter == NULL)
         return;
     if (window->input.held[HELD_FASTER])
@@ -134,6 +136,7 @@ static void click_words(struct window *window)
     bool *mark = window->panel.folded ? &window->panel.folded : &window->panel.rolled;
     if (window->grab.what == GRAB_MARK) {
         *mark = !*mark;
+        window->panel.room = ROOM_DECIDED;
         window->panel.captioned |= mark == &window->panel.folded;
     } else if (window->grab.what == GRAB_STATUS)
         window->panel.views = !window->panel.views;

@@ -44,6 +44,10 @@ enum panel_grab {
 
 enum pointer_shape { SHAPE_ARROW, SHAPE_HAND, SHAPE_RESIZE, SHAPE_CROSSHAIR, SHAPES };
 
+// The panel covers handles when a picture is first shown, so it moves to the right and, if that is
+// not enough, collapses. A user who moves it decides.
+enum panel_room { ROOM_UNKNOWN, ROOM_MOVED, ROOM_COLLAPSED, ROOM_DECIDED };
+
 struct window {
     GLFWwindow *handle;
     struct renderer *renderer; // the first picture's renderer
@@ -112,6 +116,7 @@ struct window {
         bool captioned;           // the caption is shown, if there is one
         bool in_page;             // a web page shows the panel's text while the panel is folded
         bool right, rolled;       // the panel is on the right; the panel is collapsed to its title
+        enum panel_room room;     // what the panel has done so that no handle is below it
         bool peeks;               // the pointer is where the folded panel shows its title
         bool views;               // the list of views is open
         unsigned long long open;  // parameters whose components stay shown, as in struct panel

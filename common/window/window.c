@@ -235,6 +235,12 @@ static void show_size(void *to)
 
 // ---- Open, run, close ----
 
+// True if the panel has moved by itself, which concerns only the picture that was shown.
+static bool makes_room(const struct window *window)
+{
+    return window->panel.room == ROOM_MOVED || window->panel.room == ROOM_COLLAPSED;
+}
+
 void window_show(struct window *window, const struct window_start *start, bool at_last)
 {
     struct window *fresh = memory_zeros(1, sizeof *fresh);
@@ -261,8 +267,8 @@ void window_show(struct window *window, const struct window_start *start, bool a
         .pace = {.turn = glfwGetTime(), .shown = glfwGetTime()},
         .panel = {.overlay = window->panel.overlay,
                   .rows = window->panel.rows,
-                  .right = window->panel.right,
-                  .rolled = window->panel.rolled,
+                  .right = window->panel.right && !makes_room(window),
+                  .rolled = window->panel.rolled && window->panel.room != ROOM_COLLAPSED,
                   .folded = lecture && !start->overlay_kept,
                   .captioned = true},
         .grab = {.hovered = -1, .at = {window->grab.at[0], window->grab.at[1]}},

@@ -60,14 +60,28 @@ static void block_difference(const struct image *a, const struct image *b, int l
         difference[c] = (double)sum[c] / ((right - left) * (bottom - top));
 }
 
-// Store the centre of a block, in pixels as --probe counts them: 0,0 is at the bottom left.
-static void note_position(const struct image *image, int left, int top,
+static int difference_at(const struct image *a, const struct image *b, int x, int y)
+{
+    size_t first = CHANNELS * ((size_t)y * (size_t)a->width + (size_t)x);
+    return largest_of_pixel(a->pixel + first, b->pixel + first);
+}
+
+// Store the pixel of a block that differs most, as --probe counts pixels: 0,0 is at the bottom
+// left. Of several such pixels, the centre of the block is preferred.
+static void note_position(const struct image *a, const struct image *b, int left, int top,
                           struct image_difference *result)
 {
-    int right = left + BLOCK < image->width ? left + BLOCK : image->width;
-    int bottom = top + BLOCK < image->height ? top + BLOCK : image->height;
-    result->x = (left + right) / 2;
-    result->y = image->height - 1 - (top + bottom) / 2;
+    int right = left + BLOCK < a->width ? left + BLOCK : a->width;
+    int bottom = top + BLOCK < a->height ? top + BLOCK : a->height;
+    int at[2] = {(left + right) / 2, (top + bottom) / 2};
+    for (int y = top; y < bottom; y++)
+        for (int x = left; x < right; x++)
+            if (difference_at(a, b, x, y) > difference_at(a, b, at[0], at[1])) {
+                at[0] = x;
+                at[1] = y;
+            }
+    result->x = at[0];
+    result->y = a->height - 1 - at[1];
 }
 
 // Fill in b8 and the position of the block that differs most.
@@ -85,7 +99,7 @@ static void compare_blocks(const struct image *a, const struct image *b,
                 size = fmax(size, fabs(difference[c]));
             }
             if (size > most)
-                note_position(a, left, top, result);
+                note_position(a, b, left, top, result);
             most = fmax(most, size);
         }
     for (int c = 0; c < CHANNELS; c++)

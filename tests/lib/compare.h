@@ -13,7 +13,7 @@ struct image_difference {
     double b8;      // RMSE of the means of 8x8 blocks, on the worst channel, in [0, 255]
     int largest;    // largest channel difference, for information only: it is large at silhouettes
     size_t differs; // pixels that differ at all
-    int x, y; // centre of the 8x8 block that differs most, in pixels; 0,0 is at the bottom left
+    int x, y; // the pixel that differs most in the 8x8 block that does; 0,0 is at the bottom left
 };
 
 #define IMAGE_F2_TOLERANCE 0.0005 // 0.05 % of the pixels

@@ -263,7 +263,7 @@ check('the offered editor opens below the exercise', true);
 const solution = fs.readFileSync(`chapters/solutions/${STEM}_2.frag`, 'utf8');
 check('the solution is accepted in the words of make check', await judged(solution) === 'Right: matches the solution in 3 pictures: no pixel differs by more than 2 of 255.', await verdict.textContent());
 const wrong = await judged(`${text}\n`);
-check('the unsolved chapter is rejected in the words of make check', /^Wrong: 0\.21 % of the pixels differ by more than 2 of 255, by at most \d+, most around 428,131, on the right\./.test(wrong), wrong);
+check('the unsolved chapter is rejected in the words of make check', /^Wrong: 0\.21 % of the pixels differ by more than 2 of 255, by at most \d+, most around 431,132, on the right\./.test(wrong), wrong);
 check('a wrong answer is shown with a picture of the difference', await page.locator('.live-two canvas').count() === 2);
 check('a compilation error in an answer is reported with its line number', /^Wrong: does not run: my\.frag:1: error: /.test(await judged('void main() { nonsense; }')), await verdict.textContent());
 check('the program beside the exercise still runs', (await state(page)).runs);

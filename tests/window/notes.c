@@ -6,9 +6,9 @@
 #define CHAPTER "01_normal_colouring"
 
 // The line that a chapter's program prints before its first picture must be this one.
-static void assert_greets(const char *stem, const char *line)
+static void assert_greets(const char *stem, const char *options, const char *line)
 {
-    session_open(stem, "--size 64x36");
+    session_open(stem, "--size 64x36 %s", options);
     session_said(1);
     session_key(GLFW_KEY_BACKSPACE);
     assert_true(session_run());
@@ -18,8 +18,10 @@ static void assert_greets(const char *stem, const char *line)
 
 SESSION_TEST(a_program_begins_with_the_keys_that_act)
 {
-    assert_greets("00_first_scene", "K: keys, Backspace: quit\n");
-    assert_greets(CHAPTER, "drag: look around, W A S D: move, K: keys, Backspace: quit\n");
+    assert_greets("00_first_scene", "", "K: keys, Backspace: quit\n");
+    assert_greets("00_first_scene", "--shader chapters/figures/00_pixels.frag",
+                  "K: keys, Backspace: quit\n");
+    assert_greets(CHAPTER, "", "drag: look around, W A S D: move, K: keys, Backspace: quit\n");
 }
 
 // True if the list of keys has an entry for what a key does.

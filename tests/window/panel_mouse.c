@@ -3,6 +3,7 @@
 // accepts and when a picker closes.
 #include "lib/scratch.h"
 #include "lib/session.h"
+#include "window/state.h"
 
 #define CHAPTER "01_normal_colouring"
 
@@ -339,6 +340,31 @@ static void assert_mouse(const char *mouse)
     if (!user.open)
         session_open_bare(CHAPTER, "--size 320x200 --shader %s", scratch_path("mouse.frag"));
     session_assert_shown(CHAPTER, "--size 320x200 --shader %s", scratch_path("wanted.frag"));
+}
+
+// Every handle of some figures can be grabbed as soon as the window is open. The panel of the first
+// one moves for this; O moves it back, and it stays there.
+SESSION_TEST(the_panel_makes_room_for_handles)
+{
+    static const char *const figures[] = {"00_pixels", "00_march", "00_light", "00_distance"};
+    for (size_t i = 0; i < sizeof figures / sizeof *figures; i++) {
+        session_open("00_first_scene", "--size 960x540 --shader chapters/figures/%s.frag",
+                     figures[i]);
+        session_wait(0.2);
+        const struct window *window = session_window();
+        const float scale = window->panel.overlay.scale;
+        assert_true(window->handles.count > 0 && (i > 0 || window->panel.right));
+        for (int k = 0; k < window->handles.count; k++) {
+            const float *pixel = window->handles.item[k].pixel;
+            assert_false(panel_rows_hold(&window->panel.rows, pixel[0] / scale,
+                                         (540.0f - pixel[1]) / scale));
+        }
+        const bool right = window->panel.right;
+        session_key(GLFW_KEY_O);
+        session_wait(0.2);
+        assert_true(window->panel.right == !right);
+        session_close();
+    }
 }
 
 SESSION_TEST(shadertoy_s_mouse_is_set)
