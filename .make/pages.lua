@@ -69,9 +69,9 @@ function pages.fold(html)
     return html:match('^<details><summary>(%a+)</summary>')
 end
 
--- The text of a word, in which the hyphen before a number has become a minus sign.
+-- The text of a word, in which the hyphen before a number, or before one of several, has become a minus sign.
 function pages.minus(text)
-    return (text:gsub('^([(%[]?)%-(%.?%d)', '%1−%2'))
+    return (text:gsub('^([(%[]?)%-(%.?%d)', '%1−%2'):gsub('(%d,)%-(%.?%d)', '%1−%2'))
 end
 
 -- ---- For LaTeX ----

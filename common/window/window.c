@@ -95,7 +95,7 @@ static const char *file_name(const char *path)
 }
 
 // Read a file that was dropped on the window: a picture for the shader, or another shader. Returns
-// false after showing the error if that is impossible.
+// false after saying why if that is impossible.
 static bool open_dropped(struct window *window)
 {
     struct loader *picture = &window->start->picture[0];
@@ -108,7 +108,7 @@ static bool open_dropped(struct window *window)
     else
         done = loader_open(picture, path);
     if (!done)
-        window_warn(window, report_last());
+        window_note(window, "This cannot be opened here", report_last());
     else if (picture->path == picture->other.path)
         report_clean(window->opened, sizeof window->opened, file_name(picture->path));
     window->input.dropped[0] = '\0';

@@ -152,7 +152,7 @@ async function take(from) {
     await typed();
     for (const {path, text} of more) {
         const name = slug(path.replace(/.*\//, ''));
-        if (drafts()[name] === undefined) keep({...drafts(), [name]: {base: text, stem: STEM}});
+        if (!drafts()[name] || textOf(name) !== text) keep({...drafts(), [free(name)]: {base: text, stem: STEM}});
     }
     await begin(slug(first.path.replace(/.*\//, '')), first.text);
     if (more.length > 0) said.append(` ${more.length} more ${more.length === 1 ? 'shader is a draft' : 'shaders are drafts'}.`);

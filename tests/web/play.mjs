@@ -110,6 +110,11 @@ await page.waitForFunction((newer) => document.querySelector('.live-on')?.stage.
 await page.waitForFunction(() => document.querySelector('.said').textContent === 'mine_2.frag runs. The draft mine is still there.');
 check('a dropped file with the name of a draft becomes another draft', (await drafts()).includes('mine') && (await drafts()).includes('mine 2') && await page.locator('.live-changes').isHidden(), await drafts());
 check('the draft with that name keeps its text', (await stored())['chapters/mine.frag'] === `// older\n${flat('0.0, 0.0, 1.0')}`, await stored());
+await drop('first.frag', flat('0.0, 1.0, 1.0'), 'mine.frag', flat('1.0, 1.0, 0.0'));
+await page.waitForFunction(() => /1 more shader is a draft/.test(document.querySelector('.said').textContent));
+check('a file that is dropped beside another one overwrites no draft, and is kept', (await drafts()).includes('mine 3'), await drafts());
+await drop('mine.frag', flat('1.0, 0.0, 0.0'));
+await page.waitForFunction((newer) => document.querySelector('.live-on')?.stage.changes.editor.text() === newer, flat('1.0, 0.0, 0.0'));
 const many = await page.locator('.draft').count();
 await drop('mine.frag', flat('1.0, 0.0, 0.0'));
 await frames(page, 30);

@@ -261,6 +261,8 @@ SESSION_TEST(pictures_that_are_dropped_fill_the_channels)
     assert_non_null(strstr(session_said(2), "reads no picture"));
     drop("mesh.obj");
     assert_non_null(strstr(session_said(2), "make bake"));
+    session_wait(0.5);
+    assert_false(session_titled("error")); // the picture is as good as before
     session_close();
 }
 
