@@ -68,7 +68,7 @@ for page in README.md docs/README.md docs/platforms.md docs/[0-9]*.md docs/engin
 done
 
 # Keep only those pictures that a file names, such as a page, and the first one of each chapter. They are for the eye, so
-# 256 colours in each are enough, and the suites that compare them are left out.
+# 160 colours in each are enough, and the suites that compare them are left out.
 {
     grep -rohaE '[A-Za-z0-9_-]+[.]png' "$made" --include='*.md' --include='*.mjs' --include='*.c' --include='*.sh'
     find "$made/docs" -name '[0-9][0-9]_*.md' | sed 's/.*\///; s/md$/png/'
@@ -77,7 +77,7 @@ find "$made/tests/references" -name '*.png' | awk -F / -v list="$new/named" '
     BEGIN { while ((getline name <list) > 0) named[name] }
     !($NF in named)' | tr '\n' '\0' | xargs -0 rm -f
 find "$made/tests/references" -name '*.png' -print0 |
-    xargs -0 -P "$(getconf _NPROCESSORS_ONLN)" -n 16 pngquant --speed 7 --skip-if-larger --strip --force --ext .png ||
+    xargs -0 -P "$(getconf _NPROCESSORS_ONLN)" -n 16 pngquant 160 --speed 7 --skip-if-larger --strip --force --ext .png ||
     [ $? = 123 ] # some would be larger
 rm -f "$made"/tests/pictures/images.sh "$made"/tests/pictures/weak.sh
 
