@@ -50,7 +50,10 @@ static void status_text(const struct panel *panel, bool rated, char text[PANEL_C
         memory_append(text, PANEL_CELL, "%.*f fps", panel->rate < 9.95 ? 1 : 0, panel->rate);
     else if (rated && panel->milliseconds > 0.0)
         memory_append(text, PANEL_CELL, "drawn in %.1f ms", panel->milliseconds);
-    if (panel->timed) {
+    if (panel->averaged > 0)
+        memory_append(text, PANEL_CELL, "    mean of %d frame%s", panel->averaged,
+                      panel->averaged > 1 ? "s" : "");
+    else if (panel->timed) {
         memory_append(text, PANEL_CELL, "    time %.1f s", panel->time);
         add_hour(panel, text);
     }

@@ -27,6 +27,7 @@ struct panel {
     int resolution; // the drawn picture's sides, in percent of full size; 0 means 100
     int sharp;      // percent of the picture that is already sharp
     bool timed;     // the picture depends on the time
+    int averaged;   // number of frames of which the picture is the mean; 0 if it is none
     bool paused;
     bool views;              // list the views below the status
     bool buttons;            // show the row of buttons

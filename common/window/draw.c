@@ -106,6 +106,7 @@ static void fill_overlay(struct window *window)
         .milliseconds = window->panel.figures[1],
         .timed = window_uses_time(window),
         .time = inputs->time,
+        .averaged = window_averages(window) ? inputs->frame + 1 : 0,
         .resolution =
             (int)fmax(round(100.0 / resolution_divisor(window->pace.resolution.level)), 1.0),
         .sharp = sharp_percent(window),

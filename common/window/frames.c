@@ -30,9 +30,9 @@ struct renderer_inputs window_inputs_shown(const struct window *window)
     return window_inputs_at(window, window_keeps(window) ? window->pace.resolution.level : 0);
 }
 
-// True if the kept frames do not depend on the time, so that later ones only refine a mean.
-static bool averages(const struct renderer *renderer)
+bool window_averages(const struct window *window)
 {
+    const struct renderer *renderer = window->renderer;
     GLuint program = renderer->program[VIEW_KEPT];
     return program != 0 &&
            !inputs_reads(renderer->gl, program, &renderer->fragment, INPUT_TIME, INPUT_RATE);
@@ -42,7 +42,7 @@ int window_last_frame(const struct window *window)
 {
     const struct renderer *renderer = window->renderer;
     int last = window->start->frame, most = -1;
-    if (averages(renderer))
+    if (window_averages(window))
         most = passes_halves(renderer) ? HALF_FRAMES - 1
                : window->panel.in_page ? MEAN_FRAMES - 1
                                        : -1;

@@ -16,6 +16,9 @@ struct renderer_inputs window_inputs_at(const struct window *window, int level);
 // are kept have the size at which they were drawn, and any other picture has the window's size.
 struct renderer_inputs window_inputs_shown(const struct window *window);
 
+// True if the kept frames do not depend on the time, so that later ones only refine a mean.
+bool window_averages(const struct window *window);
+
 // The frame at which the window stops, or -1 if it goes on: that of the command line, or the last
 // of a mean.
 int window_last_frame(const struct window *window);

@@ -80,6 +80,11 @@ TEST(the_status_is_described)
     panel.time = 20.04;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(says("view: picture    60 fps    time 20.0 s    paused"));
+    panel.averaged = 7;
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_true(says("view: picture    60 fps    mean of 7 frames    paused"));
+    panel.averaged = 0;
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(says("H: help"));
     panel.resolution = 35;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
