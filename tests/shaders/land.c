@@ -515,7 +515,7 @@ TEST(the_sun_sets_behind_land_by_shares)
                  "vec4 h = landAt(q, 4.0);"
                  "vec3 n = normalize(vec3(-fromValley(h.yz), 1.0)).xzy, light = "
                  "sunDirection(18.0, LATITUDE, declination);"
-                 "Surface surface = Surface(vec3(xz.x, h.x, xz.y), n, vec3(0.0), 0.0, true);"
+                 "Surface surface = Surface(vec3(xz.x, h.x, xz.y), n, vec3(0.0), 0.0);"
                  "return vec3(lightSeen(surface, light, 0.02), h.x / HIGHEST, dot(n, light));");
     struct d3 light = sun_at(18.0);
     double off[2] = {0.0, 0.0}, hard = 0.0; // off[0]: outside the penumbra; off[1]: in it
