@@ -85,6 +85,13 @@ static void write_values(FILE *key, const struct renderer *renderer,
                 renderer->orthographic);
 }
 
+// Each pass of a file reads the picture's parameters of the same names.
+static void give_values(const struct renderer *renderer)
+{
+    for (int i = 0; i < renderer->pass_count; i++)
+        parameters_keep(&renderer->pass[i].parameters, &renderer->parameters);
+}
+
 // Everything that the kept frames depend on. A new shader or texture needs no word here, because it
 // comes with a struct kept of its own. The caller frees the text.
 static char *key_of(const struct renderer *renderer, const struct renderer_inputs *inputs)
@@ -92,6 +99,7 @@ static char *key_of(const struct renderer *renderer, const struct renderer_input
     char *text;
     FILE *key = memory_open(&text);
     const struct strokes *strokes = inputs->strokes;
+    give_values(renderer);
     fprintf(key, "%d %d %a %a", inputs->width, inputs->height, inputs->begin, inputs->rate);
     for (int i = 0; i < renderer->pass_count; i++)
         write_values(key, &renderer->pass[i], inputs, VIEW_PICTURE);

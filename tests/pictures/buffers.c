@@ -319,6 +319,26 @@ TEST(an_export_keeps_a_nan)
         assert_true(i % WIDTH == 0 ? isnan(value[4 * i]) : value[4 * i] == 9.0f);
 }
 
+// A parameter of the picture is also that of a pass, and its frames begin again when it changes.
+TEST(a_pass_follows_the_picture_s_parameters)
+{
+    static const char other[] =
+        "uniform float gain; // 0.2 in [0, 1]: brightness\n"
+        "uniform sampler2D backbuffer;\nuniform vec2 resolution;\n"
+        "void main() { gl_FragColor = vec4(texture2D(backbuffer, gl_FragCoord.xy / "
+        "resolution).g, gain, 0.0, 1.0); }\n";
+    const struct renderer_inputs inputs = at_frame(5);
+    assert_true(gpu_load_file(&gpu.renderer, scratch_write("gain.frag", other)));
+    for (int i = 0; i < 2; i++) {
+        struct image image;
+        assert_true(i == 0 || parameters_assign(&gpu.renderer.parameters, "gain=0.8"));
+        assert_true(renderer_picture(&gpu.renderer, &inputs, &image));
+        assert_int_equal(image.pixel[0], i == 0 ? 51 : 204);
+        assert_int_equal(image.pixel[1], image.pixel[0]);
+        image_free(&image);
+    }
+}
+
 // A benchmark, a ray and a comparison draw the frames of an export as a picture does.
 TEST(an_export_is_measured_probed_and_compared)
 {
