@@ -146,7 +146,10 @@ static void on_key(GLFWwindow *window, int key, int scancode, int action, int mo
         input->held[held] = action != GLFW_RELEASE;
         return;
     }
-    if (action != GLFW_RELEASE)
+    // A captured mouse is released at once, so that no later movement turns the camera.
+    if (key == GLFW_KEY_M && action == GLFW_PRESS && input->captured)
+        window_input_capture(input);
+    else if (action != GLFW_RELEASE)
         add(input, (struct window_event){.kind = EVENT_KEY,
                                          .amount = key,
                                          .shifted = (modifiers & GLFW_MOD_SHIFT) != 0,
