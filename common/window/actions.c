@@ -242,7 +242,7 @@ const struct key_row window_keys[] = {
      .binding = {{GLFW_KEY_HOME, .act = go_first}, {GLFW_KEY_END, .act = go_last}}},
     {.label = "X", .does = "deselect ray", .condition = KEY_WITH_RAY, .meaning = "deselect the ray",
      .binding = {{GLFW_KEY_X, .act = window_deselect_ray}}},
-    {.label = "wheel", .does = "zoom", .condition = KEY_WITH_CAMERA,
+    {.label = "wheel", .does = "zoom", .condition = KEY_WITH_LENS,
      .meaning = "change the focal length; in the slice and the plot, zoom"},
     {.label = &(SHADER_VIEWS(VIEW_KEY))[1], .does = "view", .condition = KEY_WITH_MARCH,
      .meaning = "switch to another view, also on the number pad:" SHADER_VIEWS(VIEW_WORD),
@@ -362,7 +362,7 @@ static void act(struct window *window, struct window_event *event)
     else if (event->kind == EVENT_TYPED)
         window_field_type(window, event->amount);
     else if (!window_pointer_input(window, event)) {
-        window_explain_key(window, KEY_WITH_CAMERA);
+        window_explain_key(window, event->kind == EVENT_MOVE ? KEY_WITH_CAMERA : KEY_WITH_LENS);
         if (event->kind == EVENT_MOVE)
             move(window, event->movement);
         else

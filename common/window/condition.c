@@ -1,8 +1,7 @@
 #include "window/condition.h"
 
-#include <stdio.h>
-
 #include "picture/comparison.h"
+#include "report.h"
 #include "shader/view.h"
 #include "window/frames.h"
 #include "window/lens.h"
@@ -46,16 +45,16 @@ bool window_has_scenes(const struct window *window)
     return window->start->caption != NULL || window_has_contents(window);
 }
 
-// True if the linked programs that follow the rays of pixels read the camera. Other programs, such
-// as that of the slice, always do.
-static bool reads_camera(const struct renderer *renderer)
+// True if the linked programs that follow the rays of pixels read one of some inputs of the camera.
+// Other programs, such as that of the slice, always do.
+static bool reads(const struct renderer *renderer, enum input_meaning first,
+                  enum input_meaning last)
 {
-    bool reads = renderer->comparison != NULL && reads_camera(renderer->comparison->other);
-    for (enum shader_view i = 0; i <= VIEW_PROBE && !reads; i++)
-        reads = renderer->program[i] != 0 && !shader_shows_ray(i) &&
-                inputs_reads(renderer->gl, renderer->program[i], &renderer->fragment, INPUT_EYE,
-                             INPUT_FORWARD);
-    return reads;
+    bool found = renderer->comparison != NULL && reads(renderer->comparison->other, first, last);
+    for (enum shader_view i = 0; i <= VIEW_PROBE && !found; i++)
+        found = renderer->program[i] != 0 && !shader_shows_ray(i) &&
+                inputs_reads(renderer->gl, renderer->program[i], &renderer->fragment, first, last);
+    return found;
 }
 
 bool window_key_acts(struct window *window, enum key_condition condition)
@@ -64,7 +63,9 @@ bool window_key_acts(struct window *window, enum key_condition condition)
     case KEY_ALWAYS:
         return true;
     case KEY_WITH_CAMERA:
-        return reads_camera(window->renderer);
+        return reads(window->renderer, INPUT_EYE, INPUT_FORWARD);
+    case KEY_WITH_LENS:
+        return reads(window->renderer, INPUT_FOCAL, INPUT_FOCAL);
     case KEY_WITH_MARCH:
         return window->renderer->fragment.dialect == DIALECT_COURSE;
     case KEY_WITH_TIME:
@@ -97,6 +98,7 @@ void window_explain_key(struct window *window, enum key_condition condition)
 {
     static const char *const why[] = {
         [KEY_WITH_CAMERA] = "this shader does not read the camera",
+        [KEY_WITH_LENS] = "this shader has no focal length",
         [KEY_WITH_MARCH] = "only chapters from 01 on have views and rays",
         [KEY_WITH_TIME] = "this picture does not change with time",
         [KEY_WITH_PARAMETERS] = "this shader has no parameters",
@@ -114,7 +116,7 @@ void window_explain_key(struct window *window, enum key_condition condition)
 
 void window_note(struct window *window, const char *heading, const char *words)
 {
-    snprintf(window->panel.note, sizeof window->panel.note, "%s", words);
+    report_clean(window->panel.note, sizeof window->panel.note, words);
     window->panel.note_heading = heading;
     window->panel.note_ends = glfwGetTime() + NOTE_SECONDS;
     window->dirty = true;

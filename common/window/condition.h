@@ -9,7 +9,8 @@ struct window;
 // When a row's keys act, and the overlay lists them.
 enum key_condition {
     KEY_ALWAYS,
-    KEY_WITH_CAMERA, // the shader reads the camera
+    KEY_WITH_CAMERA, // the shader reads where the camera is and where it looks
+    KEY_WITH_LENS,   // the shader reads the focal length
     KEY_WITH_MARCH,  // the shader records its march
     KEY_WITH_TIME,   // the picture changes with time
     KEY_WITH_EDITOR, // not in a web page

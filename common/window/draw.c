@@ -30,8 +30,6 @@
 #define PIECE_SECONDS  0.05 // spent on sharpening between two checks of the input
 #define TRIAL_SECONDS  0.02 // a trial picture that takes longer is the last
 #define TRIAL_FINEST   12   // the finest level of a trial picture
-#define RECONSIDERED   64   // frames that are kept after which their resolution is settled
-#define MUCH_FINER     4    // levels by which another resolution must be finer until then
 #define GROWTH_TRIED   16.0 // a picture with this many times more pixels than the last is tried
 
 // True if nothing has moved for a while, so that the rate of earlier frames is meaningless.
@@ -205,22 +203,6 @@ static bool may_smooth(const struct window *window)
            window->renderer->view == VIEW_PICTURE && !window_keeps(window);
 }
 
-// Choose the resolution level of the next frame. Frames that are kept hold their level, because
-// they begin again with another one. But a level that was chosen while the driver was still
-// compiling is far too coarse, so during the first frames a much finer one is taken if they allow
-// it; and as the cost of few pixels says little about that of many, it is approached in steps.
-static int choose_level(struct window *window, double pixels)
-{
-    struct resolution *resolution = &window->pace.resolution;
-    struct resolution free = *resolution;
-    if (!window_holds_size(window))
-        return resolution_choose(resolution, pixels);
-    if (window->inputs.frame < RECONSIDERED &&
-        resolution_choose(&free, pixels) <= resolution->level - MUCH_FINER)
-        resolution->level = (int)fmax(free.level, resolution->level - 2 * MUCH_FINER);
-    return resolution->level;
-}
-
 // Draw the picture at the resolution that its cost allows, and with smooth edges if there is time.
 static bool draw_picture(struct window *window, double now)
 {
@@ -232,7 +214,7 @@ static bool draw_picture(struct window *window, double now)
     if (!begun && !try_program(window))
         return false;
     double drawn, pixels = pixels_of(&window->inputs);
-    int level = choose_level(window, pixels);
+    int level = window_choose_level(window);
     int samples = window->inputs.samples;
     window_follow_frames(window, level);
     if (may_smooth(window) && level == 0 &&

@@ -1,8 +1,12 @@
 #include "window/frames.h"
 
+#include <math.h>
+
 #include "picture/passes.h"
 
 #define MEASURED    3    // frames from which the resolution is chosen
+#define SETTLED     64   // frames after which it stays
+#define MUCH_FINER  4    // levels by which another one must be finer until then
 #define MEAN_FRAMES 1024 // of a mean in a page, which then saves the battery
 #define HALF_FRAMES 64   // of a mean in half floats, which rounding would spoil
 
@@ -73,7 +77,15 @@ void window_follow_frames(struct window *window, int level)
     window->inputs = passes_inputs(&window->inputs, window->inputs.frame);
 }
 
-bool window_holds_size(const struct window *window)
+// As the cost of few pixels says little about that of many, a finer level is approached in steps.
+int window_choose_level(struct window *window)
 {
-    return window_keeps(window) && window->inputs.frame >= MEASURED;
+    struct resolution *resolution = &window->pace.resolution, other = *resolution;
+    double pixels = (double)window->inputs.width * window->inputs.height;
+    if (!window_keeps(window) || window->inputs.frame < MEASURED)
+        return resolution_choose(resolution, pixels);
+    if (window->inputs.frame < SETTLED &&
+        resolution_choose(&other, pixels) <= resolution->level - MUCH_FINER)
+        resolution->level = (int)fmax(other.level, resolution->level - 2 * MUCH_FINER);
+    return resolution->level;
 }

@@ -32,8 +32,9 @@ bool window_next_frame(struct window *window);
 //   level  the resolution level at which the picture is drawn
 void window_follow_frames(struct window *window, int level);
 
-// True if frames are kept of which so many were drawn that the resolution must not change any more,
-// because they would begin again.
-bool window_holds_size(const struct window *window);
+// Choose the resolution level of the window's next frame. Frames that are kept hold theirs after a
+// few, because they begin again with another one. But a level that was chosen while the driver was
+// still compiling is far too coarse, so a much finer one is taken while the frames are still few.
+int window_choose_level(struct window *window);
 
 #endif

@@ -44,8 +44,8 @@ enum panel_grab {
 
 enum pointer_shape { SHAPE_ARROW, SHAPE_HAND, SHAPE_RESIZE, SHAPE_CROSSHAIR, SHAPES };
 
-// The panel covers handles when a picture is first shown, so it moves to the right and, if that is
-// not enough, collapses. A user who moves it decides.
+// A panel that covers a handle when a picture is first shown moves to the right and, if that is not
+// enough, collapses. A user who moves it decides.
 enum panel_room { ROOM_UNKNOWN, ROOM_MOVED, ROOM_COLLAPSED, ROOM_DECIDED };
 
 struct window {
@@ -123,7 +123,7 @@ struct window {
         bool helps;               // all keys and the ranges of all parameters are shown (key K)
         double figures[2];        // frames per second and milliseconds, as shown
         double figures_due;       // when the figures may change again
-        char note[256];           // what a key did, or why it does nothing; "" if no note is shown
+        char note[1024];          // what a key did, or why it does nothing; "" if no note is shown
         const char *note_heading; // the line above the note
         double note_ends;         // when it disappears
         unsigned told;            // the notes that have been shown: a bit for each key_condition

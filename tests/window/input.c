@@ -40,12 +40,12 @@ static int set_up(void **unused)
     (void)unused;
     // Make the shader appear to read the camera, the time and OrthoView, so that Tab changes the
     // projection.
-    static const char *const names[] = {"OrthoView", "iCameraPosition", "iTime"};
-    static struct shader_input read[3];
-    for (int i = 0; i < 3; i++)
+    static const char *const names[] = {"OrthoView", "iCameraPosition", "iTime", "focalLength"};
+    static struct shader_input read[4];
+    for (int i = 0; i < 4; i++)
         read[i] = inputs_default(tool_inputs_find(names[i]));
     renderer.fragment.inputs = read;
-    renderer.fragment.input_count = 3;
+    renderer.fragment.input_count = 4;
     renderer.program[VIEW_PICTURE] = 1;
     user_reset();
     shown = 0;

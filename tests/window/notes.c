@@ -66,6 +66,25 @@ SESSION_TEST(a_key_that_does_nothing_says_why)
     session_close();
 }
 
+// A figure that looks from above may still have a focal length of its own, which the wheel changes.
+SESSION_TEST(the_wheel_zooms_without_a_camera)
+{
+    session_open("00_first_scene", "--size 320x200 --shader chapters/figures/00_pixels.frag");
+    assert_true(lists("zoom") && !lists("look around"));
+    session_keep(0);
+    user_point(250.0, 190.0);
+    user_wheel(1.0);
+    session_turn();
+    assert_string_equal(session_window()->panel.note, "");
+    assert_true(session_off(0, NULL) > 0.0);
+    session_close();
+    session_open("00_first_scene", "--size 320x200");
+    user_wheel(1.0);
+    session_turn();
+    assert_non_null(strstr(session_window()->panel.note, "no focal length"));
+    session_close();
+}
+
 SESSION_TEST(only_a_picture_with_a_camera_captures_the_mouse)
 {
     session_open("00_first_scene", "--size 320x200 --time 0");
