@@ -333,18 +333,26 @@ bool translation_declarations(struct translation *t)
     return done;
 }
 
+// True if the driver may need the declaration of a word: the text mentions it where it is not a
+// macro, or only the driver knows whether it is one.
+static bool may_need(const struct glsl *code, const char *word)
+{
+    return glsl_mentions(code, word) > 0 &&
+           (glsl_find(code, word) != NULL || glsl_name(code, word)->defined == GLSL_PERHAPS);
+}
+
 void translation_undeclared(struct translation *t)
 {
     const struct input *input;
     for (int i = 0; (input = tool_inputs_row(i)) != NULL; i++) {
-        if (glsl_mentions(t->code, input->name) == 0 || glsl_find(t->code, input->name) == NULL ||
-            input->meaning == INPUT_POSITION ||
+        const struct glsl_token *mention = glsl_find(t->code, input->name);
+        if (!may_need(t->code, input->name) || input->meaning == INPUT_POSITION ||
             (input->meaning >= INPUT_SILENT && !tool_inputs_is_shadertoy(input)) ||
             tool_inputs_lacks(t->source, input) || declared_anywhere(t->code, input->name))
             continue;
         bool channel = input->meaning == INPUT_CHANNEL;
         if (channel)
-            add_sampler(t, input->name, input, glsl_find(t->code, input->name)->line);
+            add_sampler(t, input->name, input, mention != NULL ? mention->line : 0);
         else
             inputs_add(t->source, inputs_default(input));
         if (input->meaning == INPUT_CHANNEL_SIZE)

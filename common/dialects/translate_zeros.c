@@ -63,21 +63,23 @@ static bool zero_of(const struct zeros *all, const struct glsl_token *type,
 }
 
 // Find the zero of a structure. A structure has a zero only if the declarations of its members
-// consist of types, names and sizes.
+// consist of types, names and sizes, with no directive among them.
 static void learn(struct zeros *all, const struct glsl_token *name)
 {
     const struct glsl *code = all->code;
     const struct glsl_token *end = glsl_partner(code, name + 1), *type = NULL;
     char member[VALUE_SIZE], value[VALUE_SIZE];
     int used = snprintf(value, sizeof value, "%s", name->text);
-    bool done = used < 256 && name->certain && end > name + 2 && all->structure[name->name] == NULL;
+    bool done = used < 256 && name->certain && end > name + 2 && !end->parted &&
+                all->structure[name->name] == NULL;
     for (const struct glsl_token *t = name + 2, *after; done && t < end; t = after + 1) {
         while (type == NULL && glsl_is_precision(t))
             t++;
         type = type != NULL ? type : t++;
         after = t[1].sign == '[' ? glsl_next(code, t + 1) : t + 1;
-        done = is_plain(t) && !t->parted && !after->parted && glsl_is_sign(after, ",;") &&
-               zero_of(all, type, t + 1, member) && (size_t)used + strlen(member) < VALUE_SIZE - 2;
+        done = is_plain(t) && !type->parted && !t->parted && !after->parted &&
+               glsl_is_sign(after, ",;") && zero_of(all, type, t + 1, member) &&
+               (size_t)used + strlen(member) < VALUE_SIZE - 2;
         used += done ? snprintf(value + used, sizeof value - (size_t)used, "%c%s",
                                 t > name + 4 ? ',' : '(', member)
                      : 0;

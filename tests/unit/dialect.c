@@ -225,6 +225,8 @@ IN_PROJECT(test_unclear_declarations_stay)
         "#define BLOCK uniform Data\nBLOCK { vec4 v; float k; } data;\n",
         "uniform Data { vec4 v; float k; };\n",
         "struct S { float[2] a; };\nS s;\n",
+        "#define N 2\nstruct S {\nfloat a;\n#if N > 1\nvec3 b;\n#endif\nint c; };\nS s;\n",
+        "#define N 2\nstruct S {\nfloat a;\n#if N > 1\nvec3 b;\n#endif\n};\nS s;\n",
         "#ifdef GL_X\nstruct S { float a; };\n#else\nstruct S { vec2 a; };\n#endif\nS s;\n",
         "float a[300], c[2][2];\nconst int n = 1 + 1;\nvoid f() { float b[n]; }\n",
         "uniform int count;\nvoid f() { float d[count]; }\n",
