@@ -15,6 +15,7 @@
 #include "report.h"
 #include "shader/compile.h"
 #include "window/ray.h"
+#include "window/selection.h"
 #include "window/state.h"
 #include "window/window.h"
 
@@ -276,6 +277,7 @@ void live_set(const char *name, int component, double value)
     if (p == NULL || component < 0 || component >= p->components || !(value == value))
         return;
     p->value[component] = value < p->minimum ? p->minimum : value > p->maximum ? p->maximum : value;
+    window_begin_hour(window(), p);
     change();
 }
 
@@ -285,6 +287,7 @@ void live_reset(const char *name)
     if (p == NULL)
         return;
     parameter_reset(p);
+    window_begin_hour(window(), p);
     change();
 }
 

@@ -114,8 +114,8 @@ static void write_window(struct json *json, const struct window *window)
     json_flag(json, "halves", renderer->picture.format == GL_RGBA16F);
     if (window_keeps(window))
         write_kept(json, window);
-    // Only a shader in the course's dialect has views other than the picture.
-    int views = renderer->fragment.dialect == DIALECT_COURSE ? SHADER_VIEW_COUNT : VIEW_PICTURE + 1;
+    // Only a shader that records its marches has views other than the picture.
+    int views = renderer->fragment.marches ? SHADER_VIEW_COUNT : VIEW_PICTURE + 1;
     json_begin(json, "views", '[');
     for (int view = 0; view < views; view++)
         json_text(json, NULL, shader_view_name((enum shader_view)view));

@@ -57,6 +57,8 @@ static enum shader_dialect dialect_of(const struct shader_source *source)
 static bool take(struct shader_source *source)
 {
     source->dialect = dialect_of(source);
+    source->marches =
+        source->dialect == DIALECT_COURSE && glsl_find_call(&source->code, "traceBegin") != NULL;
     if (source->dialect == DIALECT_WHOLE && glsl_mentions(&source->code, "gl_Position") > 0)
         return formats_refuse_vertex(source);
     return (source->dialect != DIALECT_SHADERTOY || check_image(source)) &&

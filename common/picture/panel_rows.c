@@ -24,14 +24,14 @@ static struct panel_row *add(struct panel_rows *rows, enum panel_row_kind kind, 
     return row;
 }
 
-// Append the hour of the day if there is a parameter with each of the units below. The hour follows
-// from these parameters and the picture's time.
+// Append the hour of the day if there are parameters for the hour at the start and for its speed.
+// The hour follows from these parameters and the picture's time.
 static void add_hour(const struct panel *panel, char text[PANEL_CELL])
 {
     const struct parameters *all = &panel->renderer->parameters;
     const struct parameter *start = NULL, *speed = NULL;
     for (const struct parameter *p = all->item; p < all->item + all->count; p++) {
-        start = strcmp(p->unit, "hour of the day") == 0 ? p : start;
+        start = parameter_is_hour(p) ? p : start;
         speed = strcmp(p->unit, "hours per second") == 0 ? p : speed;
     }
     if (start == NULL || speed == NULL)
@@ -71,10 +71,9 @@ static void add_views(struct panel_rows *rows, const struct panel *panel)
     }
 }
 
-// Only a shader in the course's dialect has a march to step along.
 static void add_buttons(struct panel_rows *rows, const struct panel *panel)
 {
-    bool steps = panel->renderer->fragment.dialect == DIALECT_COURSE;
+    bool steps = panel->renderer->fragment.marches;
     if (!panel->buttons)
         return;
     add(rows, PANEL_ROW_RULE, "");

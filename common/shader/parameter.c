@@ -216,6 +216,11 @@ void parameter_put(struct parameter *parameter, int part, double fraction)
     parameter->value[part] = clamp(value, low, high);
 }
 
+bool parameter_is_hour(const struct parameter *parameter)
+{
+    return strcmp(parameter->unit, "hour of the day") == 0;
+}
+
 bool parameter_is_colour(const struct parameter *parameter)
 {
     return parameter->components == 3 && strcmp(parameter->unit, "linear RGB") == 0;

@@ -29,7 +29,8 @@
 // has no rays, a vec2 is a place on the screen, in halves of its height from the middle.
 //
 // If one unit is "hour of the day" and another "hours per second", the panel shows the hour of the
-// day.
+// day. Whoever changes the first of these in a window sees the picture of that hour, because the
+// time begins again.
 //
 // A texture is declared in the same way:
 //
@@ -153,6 +154,9 @@ void parameter_put(struct parameter *parameter, int part, double fraction);
 
 // True for a parameter with three components whose unit is "linear RGB".
 bool parameter_is_colour(const struct parameter *parameter);
+
+// True for the hour at which the picture's time begins: a parameter whose unit is "hour of the day".
+bool parameter_is_hour(const struct parameter *parameter);
 
 // Reset a parameter to the value in the shader's comment.
 void parameter_reset(struct parameter *parameter);

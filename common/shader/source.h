@@ -67,6 +67,7 @@ struct shader_sampler {
 
 struct shader_source {
     enum shader_dialect dialect; // set by dialect.c, like prelude, body, inputs, unset, warned
+    bool marches;                // true if the course's text records marches: calls traceBegin
     int version;                 // the number in the text's #version; 0 if there is none
     char *text;                  // the same as code.text; '\n' ends each line, and '\0' the text
     struct glsl code;            // the text as tokens

@@ -39,9 +39,10 @@ static void edit(struct window *window)
 {
     const char *path = window->start->picture[0].path;
     if (window_key_acts(window, KEY_WITH_EDITOR) && !platform_edit(path)) {
+        char note[sizeof window->panel.note];
+        snprintf(note, sizeof note, "set VISUAL to the name of one, or open %s yourself", path);
         report("%s: no editor: set VISUAL to the name of one", path);
-        window_note(window, "No editor",
-                    "set VISUAL to the name of one, or open the file yourself");
+        window_note(window, "No editor", note);
     }
 }
 
@@ -71,8 +72,10 @@ static void restart(struct window *window, int camera)
                         : "this picture does not change with time");
     window->inputs.begin = window->inputs.time = window->start->time;
     window->inputs.frame = window_keeps(window) ? 0 : window->inputs.frame;
-    if (camera)
+    if (camera) {
         window->inputs.camera = window->start->camera;
+        window_reset_zoom(window);
+    }
     window->stale = true;
 }
 
@@ -164,11 +167,13 @@ static void step_by_page(struct window *window, int by)
         window_step(window, by);
 }
 
-// A captured mouse can be released in every picture.
+// A captured mouse is released by the input itself.
 static void capture(struct window *window)
 {
-    if (window->input.captured || window_key_acts(window, KEY_WITH_CAMERA))
-        window_input_capture(&window->input);
+    if (!window_key_acts(window, KEY_WITH_CAMERA))
+        return;
+    window_input_capture(&window->input);
+    window_note(window, "The mouse is captured", "M or Escape releases it");
 }
 
 static void blacken(struct window *window)
@@ -226,7 +231,7 @@ const struct key_row window_keys[] = {
                 "differs seems to move; with Shift, show half of each",
      .binding = {{GLFW_KEY_L, .change = show_side, .amount = false, .shifted = true}}},
     {.label = "M", .does = "capture mouse", .condition = KEY_WITH_CAMERA,
-     .meaning = "capture the mouse, so that you can look around without holding a button, or release it",
+     .meaning = "capture the mouse, so that you can look around without holding a button; M or Escape releases it",
      .binding = {{GLFW_KEY_M, .act = capture}}},
     {.label = "click", .does = "select ray", .condition = KEY_WITH_MARCH,
      .meaning = "select a pixel and show the march of its ray step by step; on a line of that table, go to "
@@ -271,7 +276,7 @@ const struct key_row window_keys[] = {
     {.label = "Esc", .does = "pause", .condition = KEY_WITH_TIME,
      .meaning = "pause or resume",
      .binding = {{GLFW_KEY_ESCAPE, .act = window_pause}}},
-    {.label = "R Shift+R", .does = "restart, with camera", .meaning = "restart the time; with Shift, also reset the camera",
+    {.label = "R Shift+R", .does = "restart, with camera", .meaning = "restart the time; with Shift, also reset the camera and the zoom",
      .binding = {{GLFW_KEY_R, .change = restart, .amount = false, .shifted = true}}},
     {.label = "P", .does = "screenshot", .meaning = "save a screenshot in the current folder",
      .binding = {{GLFW_KEY_P, .act = shoot}}},

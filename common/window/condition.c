@@ -67,7 +67,7 @@ bool window_key_acts(struct window *window, enum key_condition condition)
     case KEY_WITH_LENS:
         return reads(window->renderer, INPUT_FOCAL, INPUT_FOCAL);
     case KEY_WITH_MARCH:
-        return window->renderer->fragment.dialect == DIALECT_COURSE;
+        return window->renderer->fragment.marches;
     case KEY_WITH_TIME:
         return window_uses_time(window);
     case KEY_WITH_EDITOR:
@@ -107,11 +107,13 @@ void window_explain_key(struct window *window, enum key_condition condition)
         [KEY_WITH_PROJECTIONS] = "this shader has one projection",
         [KEY_WITH_COMPARISON] = "there is one picture: --compare shows two",
         [KEY_IN_LECTURE] = NULL};
+    bool flat = condition == KEY_WITH_MARCH && window->renderer->fragment.dialect == DIALECT_COURSE;
     if (why[condition] == NULL || (window->panel.told & 1U << condition) != 0 ||
         window_key_acts(window, condition))
         return;
     window->panel.told |= 1U << condition;
-    window_note(window, "This does nothing here", why[condition]);
+    window_note(window, "This does nothing here",
+                flat ? "no ray marches in this picture" : why[condition]);
 }
 
 void window_note(struct window *window, const char *heading, const char *words)

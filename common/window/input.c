@@ -147,7 +147,8 @@ static void on_key(GLFWwindow *window, int key, int scancode, int action, int mo
         return;
     }
     // A captured mouse is released at once, so that no later movement turns the camera.
-    if (key == GLFW_KEY_M && action == GLFW_PRESS && input->captured)
+    bool ends = key == GLFW_KEY_M || key == GLFW_KEY_ESCAPE;
+    if (ends && action == GLFW_PRESS && input->captured)
         window_input_capture(input);
     else if (action != GLFW_RELEASE)
         add(input, (struct window_event){.kind = EVENT_KEY,

@@ -39,9 +39,18 @@ static void fill_labels(const struct window *window, const char *keys, char *tex
     }
 }
 
+// True if Shift+R would change the camera or the zoom.
+static bool has_moved(const struct window *window)
+{
+    const struct camera *now = &window->inputs.camera, *first = &window->start->camera;
+    return memcmp(now->position, first->position, sizeof now->position) != 0 ||
+           now->pan < first->pan || now->pan > first->pan || now->tilt < first->tilt ||
+           now->tilt > first->tilt || window->unzoomed > 0.0;
+}
+
 void window_list_keys(struct window *window)
 {
-    char show[16], hide[16], deselect[16], more[40] = "";
+    char show[16], label[16];
     int count = 0;
     for (const struct key_row *row = window_keys; row->label != NULL && count < WINDOW_KEYS; row++)
         if (window_key_acts(window, row->condition)) {
@@ -50,11 +59,14 @@ void window_list_keys(struct window *window)
             key->does = row->does;
         }
     window->panel.key_count = count;
+    // The second key is the one that brings back what was there before.
+    bool ray = window_key_acts(window, KEY_WITH_RAY);
+    bool moved = !ray && window_key_acts(window, KEY_WITH_CAMERA) && has_moved(window);
     fill_labels(window, "K", show, sizeof show);
-    fill_labels(window, "H", hide, sizeof hide);
-    fill_labels(window, "X", deselect, sizeof deselect);
-    if (window_key_acts(window, KEY_WITH_RAY))
-        snprintf(more, sizeof more, "    %s: deselect ray", deselect);
-    snprintf(window->panel.hint, sizeof window->panel.hint, "%s: %s    %s: hide%s", show,
-             window->panel.helps ? "fewer keys" : "keys, ranges", hide, more);
+    fill_labels(window, ray ? "X" : moved ? "R" : "H", label, sizeof label);
+    snprintf(window->panel.hint, sizeof window->panel.hint, "%s: %s    %s%s: %s", show,
+             window->panel.helps ? "fewer keys" : "keys, ranges", moved ? "Shift+" : "", label,
+             ray     ? "deselect ray"
+             : moved ? "camera back"
+                     : "hide");
 }

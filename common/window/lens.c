@@ -13,6 +13,8 @@ void window_zoom(struct window *window, double notches)
 {
     struct renderer *renderer = window->renderer;
     struct parameter *parameter = parameters_find(&renderer->parameters, "focalLength");
+    if (!shader_shows_ray(renderer->view) && window->unzoomed <= 0.0)
+        window->unzoomed = parameter != NULL ? parameter->value[0] : (double)renderer->focal_length;
     double factor = pow(ZOOM, notches);
     if (shader_shows_ray(renderer->view))
         window->inputs.zoom =
@@ -24,6 +26,18 @@ void window_zoom(struct window *window, double notches)
     else
         renderer->focal_length = (float)fmin(
             fmax((double)renderer->focal_length * factor, FOCAL_MINIMUM), FOCAL_MAXIMUM);
+}
+
+void window_reset_zoom(struct window *window)
+{
+    struct renderer *renderer = window->renderer;
+    struct parameter *parameter = parameters_find(&renderer->parameters, "focalLength");
+    window->inputs.zoom = 1.0f;
+    if (window->unzoomed > 0.0 && parameter != NULL)
+        parameter->value[0] = fmin(fmax(window->unzoomed, parameter->minimum), parameter->maximum);
+    else if (window->unzoomed > 0.0)
+        renderer->focal_length = (float)window->unzoomed;
+    window->unzoomed = 0.0;
 }
 
 // Return the value that Tab changes, or NULL if there is none. end receives the ends of the value's

@@ -7,6 +7,9 @@
 // Change the focal length or, in the slice and plot views, the zoom by a number of wheel notches.
 void window_zoom(struct window *window, double notches);
 
+// Undo what window_zoom has changed since the window's scene was opened.
+void window_reset_zoom(struct window *window);
+
 // True if the shader has both projections: it has a parameter named orthographic, or it reads the
 // input iOrthoView or OrthoView.
 bool window_has_orthographic(struct window *window);

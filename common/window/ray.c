@@ -6,6 +6,7 @@
 #include "picture/comparison.h"
 #include "picture/renderer_ray.h"
 #include "report.h"
+#include "window/condition.h"
 #include "window/frames.h"
 
 // Show the ray again, in the overlay and in a picture that reads its march.
@@ -47,7 +48,10 @@ void window_click_ray(struct window *window, const double pixel[2])
 {
     const int *selected = window->inputs.pixel;
     const int clicked[2] = {(int)floor(pixel[0]), (int)ceil(pixel[1]) - 1};
-    if (clicked[0] == selected[0] && clicked[1] == selected[1])
+    const struct shader_source *source = &window->renderer->fragment;
+    if (source->dialect == DIALECT_COURSE && !source->marches)
+        window_explain_key(window, KEY_WITH_MARCH);
+    else if (clicked[0] == selected[0] && clicked[1] == selected[1])
         window_deselect_ray(window);
     else
         window_select_ray(window, clicked);
@@ -87,7 +91,7 @@ void window_step(struct window *window, int by)
 {
     const struct renderer_inputs *inputs = &window->inputs;
     const int middle[2] = {inputs->width / 2, inputs->height / 2};
-    if (inputs->pixel[0] < 0 && window->renderer->fragment.dialect == DIALECT_COURSE)
+    if (inputs->pixel[0] < 0 && window->renderer->fragment.marches)
         window_select_ray(window, middle);
     int steps = steps_of(window), shown = (int)inputs->shown;
     if (steps == 0)

@@ -38,9 +38,18 @@ struct parameter *window_grabbed(const struct window *window, int *first, int *e
 
 void window_parameter_changed(struct window *window)
 {
+    const struct parameter *parameter = window_selected(window);
     window->transition.on = false;
+    if (parameter != NULL)
+        window_begin_hour(window, parameter);
     window->moved = window->stale = window->dirty = true;
     window->title.due = 0.0;
+}
+
+void window_begin_hour(struct window *window, const struct parameter *parameter)
+{
+    if (parameter_is_hour(parameter))
+        window->inputs.begin = window->inputs.time = 0.0;
 }
 
 void window_show_view(struct window *window, int view)

@@ -17,8 +17,12 @@ void window_select(struct window *window, const struct parameter *parameter);
 // component.
 struct parameter *window_grabbed(const struct window *window, int *first, int *end);
 
-// Call this after the value of a parameter has changed.
+// Call this after the value of the selected parameter has changed.
 void window_parameter_changed(struct window *window);
+
+// If a parameter is the hour at which the picture's time begins, begin again, so that the picture
+// shows the hour that somebody has just chosen.
+void window_begin_hour(struct window *window, const struct parameter *parameter);
 
 // Switch to a view. If the shader does not have the view, the error is also shown in the overlay.
 //   view  an enum shader_view

@@ -93,10 +93,13 @@ SESSION_TEST(only_a_picture_with_a_camera_captures_the_mouse)
     assert_non_null(strstr(session_window()->panel.note, "does not read the camera"));
     session_close();
     session_open(CHAPTER, "--size 320x200");
-    session_key(GLFW_KEY_M);
-    assert_true(user.captured);
-    session_key(GLFW_KEY_M);
-    assert_false(user.captured);
+    for (int i = 0; i < 2; i++) {
+        session_key(GLFW_KEY_M);
+        assert_true(user.captured);
+        assert_non_null(strstr(session_window()->panel.note, "M or Escape releases it"));
+        session_key(i == 0 ? GLFW_KEY_M : GLFW_KEY_ESCAPE);
+        assert_false(user.captured);
+    }
     session_close();
 }
 
@@ -120,6 +123,59 @@ SESSION_TEST(a_selected_ray_changes_the_list_of_keys)
     assert_non_null(strstr(session_window()->panel.hint, "X: deselect ray"));
     session_key(GLFW_KEY_X);
     assert_null(strstr(session_window()->panel.hint, "X: deselect ray"));
+    session_close();
+}
+
+// A figure without a march offers no steps and no views, and a click says why there is no ray.
+SESSION_TEST(a_flat_figure_offers_no_steps)
+{
+    session_open("00_first_scene", "--size 320x200 --shader chapters/figures/00_distance.frag");
+    struct window *window = session_window();
+    assert_false(lists("view") || lists("select ray") || lists("step back, on"));
+    session_key(GLFW_KEY_4);
+    assert_int_equal(window->renderer->view, VIEW_PICTURE);
+    assert_non_null(strstr(window->panel.note, "no ray marches in this picture"));
+    session_key(GLFW_KEY_E);
+    session_click(310.0, 190.0);
+    assert_int_equal(window->inputs.pixel[0], -1);
+    session_close();
+}
+
+// Whoever has turned away from the scene finds the key that brings it back.
+SESSION_TEST(a_moved_camera_is_brought_back)
+{
+    session_open(CHAPTER, "--size 320x200 --set focalLength=1.5");
+    struct window *window = session_window();
+    session_keep(0);
+    const char *hint = window->panel.hint;
+    assert_null(strstr(hint, "camera back"));
+    for (int i = 0; i < 2; i++) {
+        user_point(250.0, 190.0);
+        if (i == 0) {
+            user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_PRESS);
+            user_point(310.0, 100.0);
+            user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_RELEASE);
+        } else
+            user_wheel(3.0);
+        session_turn();
+        assert_true(session_off(0, (const int[]){160, 0, 160, 100}) > 0.0);
+        assert_non_null(strstr(hint, "Shift+R: camera back"));
+        session_shift_key(GLFW_KEY_R);
+        assert_null(strstr(hint, "camera back"));
+        assert_true(session_off(0, (const int[]){160, 0, 160, 100}) <= 0.0);
+    }
+    session_close();
+}
+
+// The hour that somebody chooses is the hour that is shown, however long the picture has run.
+SESSION_TEST(a_chosen_hour_is_shown)
+{
+    session_open("09_sky_and_sunset", "--size 64x36 --time 20");
+    struct window *window = session_window();
+    assert_true(window->inputs.time > 19.0);
+    snprintf(window->parameter, sizeof window->parameter, "timeOfDay");
+    session_key(GLFW_KEY_RIGHT);
+    assert_true(window->inputs.time < 10.0);
     session_close();
 }
 
