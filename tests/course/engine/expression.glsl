@@ -1,0 +1,4 @@
+float doubled(float x)
+{
+    return x + radios;
+}
