@@ -14,7 +14,7 @@ uniform sampler2D iMarch;      // column k: t and distance of step k, as a probe
 uniform int   iMarchSteps;     // number of columns that contain a step
 uniform bool  iMarchHit;       // whether the last step found the surface
 uniform float iMarchStep;      // the selected step, with a fraction on the way to the next step; -1 to show all
-uniform vec2  iMarchPixel;     // centre of the pixel whose ray is marched, in pixels
+uniform vec2  iMarchPixel;     // where the ray that is marched meets the picture, in pixels
 uniform vec3  iSliceFrame;     // (along, across) of the picture's bottom left corner; units per pixel
 uniform float iSliceTick;      // scene units between ticks, 1, 2 or 5 times a power of ten
 uniform float iSliceLine;      // scene units between lines of equal distance

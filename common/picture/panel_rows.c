@@ -41,15 +41,15 @@ static void add_hour(const struct panel *panel, char text[PANEL_CELL])
     memory_append(text, PANEL_CELL, ", hour %02d:%02d", minute / 60, minute % 60);
 }
 
-static void status_text(const struct panel *panel, bool rated, char text[PANEL_CELL])
+static void status_text(const struct panel *panel, bool rated, bool paused, char text[PANEL_CELL])
 {
     snprintf(text, PANEL_CELL, "view: %s", shader_view_name(panel->renderer->view));
-    if (rated && panel->milliseconds > 0.0)
-        memory_append(text, PANEL_CELL, "    ");
-    if (rated && panel->milliseconds > 0.0 && panel->rate > 0.0)
-        memory_append(text, PANEL_CELL, "%.*f fps", panel->rate < 9.95 ? 1 : 0, panel->rate);
+    if (paused) // there is no rate
+        memory_append(text, PANEL_CELL, "    paused");
+    else if (rated && panel->milliseconds > 0.0 && panel->rate > 0.0)
+        memory_append(text, PANEL_CELL, "    %.*f fps", panel->rate < 9.95 ? 1 : 0, panel->rate);
     else if (rated && panel->milliseconds > 0.0)
-        memory_append(text, PANEL_CELL, "drawn in %.1f ms", panel->milliseconds);
+        memory_append(text, PANEL_CELL, "    drawn in %.1f ms", panel->milliseconds);
     if (panel->averaged > 0)
         memory_append(text, PANEL_CELL, "    mean of %d frame%s", panel->averaged,
                       panel->averaged > 1 ? "s" : "");
@@ -57,8 +57,6 @@ static void status_text(const struct panel *panel, bool rated, char text[PANEL_C
         memory_append(text, PANEL_CELL, "    time %.1f s", panel->time);
         add_hour(panel, text);
     }
-    if (panel->paused)
-        memory_append(text, PANEL_CELL, "    paused");
 }
 
 // Add the list of views, with the current one selected.
@@ -202,12 +200,13 @@ static float height_of_panel(const struct panel_rows *rows)
 }
 
 // Keep as many of the parameters' rows, [first, end), as fit. The selected parameter stays visible,
-// with all its rows if there is room. If rows are left out, one more row says which parameters are
-// shown.
+// with all its rows if there is room; but if the panel is still, no row moves as long as the first
+// of them is visible. If rows are left out, one more row says which parameters are shown.
 //   parameters  the total number of parameters
-static void cut(struct panel_rows *rows, int first, int end, float bottom, int parameters)
+static void cut(struct panel_rows *rows, const struct panel *panel, int first, int end,
+                float bottom, int parameters)
 {
-    int count = end - first, top = count, behind = 0, from = 0, to = -1;
+    int count = end - first, top = count, behind = 0, from = 0, to = -1, before = 0;
     float above = PEN_MARGIN + height_of_panel(rows) - OVERLAY_LINE * (float)count;
     int room = (int)((bottom - above) / OVERLAY_LINE);
     if (count <= room || count == 0)
@@ -218,20 +217,25 @@ static void cut(struct panel_rows *rows, int first, int end, float bottom, int p
             top = i < top ? i : top;
             behind = i + 1;
         }
+    while (before < count - room && rows->row[first + before].parameter < rows->from)
+        before++;
     int begin = behind <= room ? 0 : behind - room;
     begin = begin > top ? top : begin;
+    begin = panel->still && top >= before && top < before + room ? before : begin;
+    rows->from = rows->row[first + begin].parameter;
     struct panel_row *kept = &rows->row[first];
     memmove(kept, kept + begin, (size_t)room * sizeof *kept);
     for (int i = 0; i < room; i++) {
         from = to < 0 ? kept[i].parameter + 1 : from;
         to = kept[i].parameter + 1;
     }
-    kept[room] = (struct panel_row){PANEL_ROW_TEXT, .parameter = -1, .part = -1, .fraction = -1.0};
+    kept[room] = (struct panel_row){PANEL_ROW_MORE, .parameter = -1, .part = to, .fraction = -1.0};
     if (to < 0)
         snprintf(kept[room].cell[0], PANEL_CELL, "%d parameter%s", parameters,
                  parameters == 1 ? "" : "s");
     else
-        snprintf(kept[room].cell[0], PANEL_CELL, "%d to %d of %d", from, to, parameters);
+        snprintf(kept[room].cell[0], PANEL_CELL, "%d to %d of %d%s", from, to, parameters,
+                 panel->rows != NULL ? " ▾" : "");
     memmove(&kept[room + 1], &rows->row[end], (size_t)(rows->count - end) * sizeof *kept);
     rows->count -= count - room - 1;
 }
@@ -268,16 +272,23 @@ static float in_steps(float width)
 }
 
 // Return the width of the text and the buttons, rounded up to a multiple of 20 units, so that the
-// panel keeps its width when a number changes.
+// panel keeps its width when a number changes, and does not become wider when the picture is
+// paused.
 static float measure_texts(const struct panel_rows *rows)
 {
     float texts = 0.0f;
     for (int i = 0; i < rows->count; i++) {
         const struct panel_row *row = &rows->row[i];
         bool text = row->kind == PANEL_ROW_TITLE || row->kind == PANEL_ROW_STATUS ||
-                    row->kind == PANEL_ROW_TEXT;
+                    row->kind == PANEL_ROW_TEXT || row->kind == PANEL_ROW_MORE;
         if (row->kind == PANEL_ROW_BUTTONS)
-            texts = fmaxf(texts, panel_row_button_left(row, PANEL_COLUMNS) - PANEL_GAP);
+            texts = fmaxf(texts,
+                          panel_row_button_left(row, PANEL_COLUMNS) - PANEL_GAP +
+                              (row->cell[PANEL_PAUSE][0] != '\0'
+                                   ? overlay_width("resume") - overlay_width(row->cell[PANEL_PAUSE])
+                                   : 0.0f));
+        if (row->kind == PANEL_ROW_STATUS)
+            texts = fmaxf(texts, overlay_width(row->cell[PANEL_WIDEST]) + MARK);
         if (text)
             texts =
                 fmaxf(texts, overlay_width(row->cell[0]) + (row->cell[1][0] != '\0' ? MARK : 0.0f));
@@ -309,12 +320,13 @@ static float add_rows(struct panel_rows *rows, const struct panel *panel, float 
     rows->ranges = panel->selected == NULL || (panel->ranges && table <= limit);
     if (!rows->ranges)
         table = measure_table(panel, 2, rows->column);
-    status_text(panel, true, text);
+    status_text(panel, true, panel->paused, text);
     if (in_steps(overlay_width(text) + MARK) > limit)
-        status_text(panel, false, text);
+        status_text(panel, false, panel->paused, text);
     struct panel_row *status = add(rows, PANEL_ROW_STATUS, text);
     if (panel->rows != NULL)
         snprintf(status->cell[1], PANEL_CELL, "%s", panel->views ? "▾" : "▸");
+    status_text(panel, true, true, status->cell[PANEL_WIDEST]);
     add_views(rows, panel);
     marches_text(panel, text);
     if (text[0] != '\0' && in_steps(overlay_width(text)) <= limit)
@@ -326,7 +338,7 @@ static float add_rows(struct panel_rows *rows, const struct panel *panel, float 
         add_parameter(rows, panel, i);
     int end = rows->count;
     add_last(rows, panel);
-    cut(rows, first, end, bottom, parameters);
+    cut(rows, panel, first, end, bottom, parameters);
     return table;
 }
 

@@ -39,6 +39,7 @@ struct panel {
     bool bare;               // hide the error and the ray's march, because a web page shows both
     bool right;              // the panel is at the right edge
     bool rolled;             // the panel shows only its title
+    bool still;              // the pointer is on the panel, so no row should move
     bool refused;            // tip says why the typed value is rejected
     const char *typed;       // text that replaces the selected parameter's value
     const char *tip;         // the tooltip of the row under the pointer
@@ -68,11 +69,15 @@ struct panel {
 
 enum { PANEL_COLUMNS = 4, PANEL_CELL = 160 };
 
+// The cell of the status that is measured and not drawn: the text of a paused picture.
+enum { PANEL_WIDEST = 2 };
+
 enum panel_row_kind {
     PANEL_ROW_TITLE,  // the second cell is the mark that collapses the panel, at the right end
     PANEL_ROW_STATUS, // the view, the rate and the time; a click opens or closes the list of views
     PANEL_ROW_VIEW,   // one view of that list; part is the view's index
     PANEL_ROW_TEXT,
+    PANEL_ROW_MORE,    // which parameters are shown, if not all; part is the last one's number
     PANEL_ROW_BUTTONS, // one button in each cell
     PANEL_ROW_RULE,
     PANEL_ROW_PARAMETER,
@@ -88,7 +93,7 @@ struct panel_row {
     enum panel_row_kind kind;
     char cell[PANEL_COLUMNS][PANEL_CELL]; // name, value, range and unit of a parameter; or text
     int parameter;                        // index for comparison_parameter; -1 if there is none
-    int part;                             // index of a component or a view; -1 for all components
+    int part;                             // see the kind, or a component's index; -1 for all
     bool selected;                        // part of the selected parameter, or the current view
     double fraction; // position of the value in its range, 0 to 1; < 0 if nothing can be dragged
     float swatch;    // distance of a colour's swatch from the row's left; 0 if there is none
@@ -100,6 +105,7 @@ struct panel_row {
 struct panel_rows {
     struct panel_row *row; // owned
     int count;
+    int from;                       // the first parameter that is shown, if not all are
     float column[PANEL_COLUMNS];    // widths of the columns
     bool ranges;                    // all four columns are shown, otherwise two
     float left, top, width, height; // the panel with its edges, units

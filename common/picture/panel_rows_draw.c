@@ -96,6 +96,7 @@ static void draw_row(const struct panel_rows *rows, int i, const struct panel *p
         pen_rule(&pen, row->width);
         break;
     case PANEL_ROW_TEXT:
+    case PANEL_ROW_MORE:
         overlay_text(overlay, row->left, row->top, row->cell[0], PEN_DIM);
         break;
     case PANEL_ROW_VIEW:

@@ -43,6 +43,7 @@ struct renderer_inputs {
     // The selected ray's pixel, 0,0 at the bottom left; -1,-1 if no ray is selected, so that a
     // slice shows the ray in the middle.
     int pixel[2];
+    int whole[2]; // size of the picture that has this pixel, if it is drawn smaller; otherwise 0, 0
     const struct renderer_eye *eye; // the selected ray's eye; NULL for the picture's
     const double *lens; // replaces the values of renderer_lens; NULL keeps the parameters' values
     const struct strokes *strokes; // the strokes on the chapter's volume; NULL if there are none

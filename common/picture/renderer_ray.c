@@ -83,11 +83,18 @@ bool renderer_march(struct renderer *renderer, const struct renderer_inputs *inp
 bool renderer_march_selected(struct renderer *renderer, struct renderer *beside,
                              const struct renderer_inputs *inputs, struct march *march)
 {
-    const struct renderer_inputs from = renderer_from_eye(inputs);
-    const int size[2] = {inputs->width, inputs->height};
-    for (int i = 0; i < 2; i++)
-        march->pixel[i] = inputs->pixel[i] < 0 ? size[i] / 2 : inputs->pixel[i];
-    int x = march->pixel[0], y = march->pixel[1];
+    struct renderer_inputs from = renderer_from_eye(inputs);
+    if (inputs->whole[0] > 0) {
+        from.width = inputs->whole[0];
+        from.height = inputs->whole[1];
+    }
+    int x = inputs->pixel[0] < 0 ? from.width / 2 : inputs->pixel[0];
+    int y = inputs->pixel[0] < 0 ? from.height / 2 : inputs->pixel[1];
+    float scale = (float)inputs->height / (float)from.height; // the same point of the screen
+    march->pixel[0] =
+        0.5f * (float)inputs->width + scale * ((float)x + 0.5f - 0.5f * (float)from.width);
+    march->pixel[1] =
+        0.5f * (float)inputs->height + scale * ((float)y + 0.5f - 0.5f * (float)from.height);
     struct probe *probe = memory_zeros(2, sizeof *probe);
     bool plots = renderer->view == VIEW_PLOT;
     bool done = (!plots || beside == NULL || renderer_march(beside, &from, x, y, &probe[1])) &&
@@ -118,8 +125,7 @@ void renderer_set_slice(const struct renderer *renderer, const struct march *mar
     gl->Uniform1i(at[UNIFORM_iMarchSteps], march->steps);
     gl->Uniform1i(at[UNIFORM_iMarchHit], march->end == PROBE_HIT);
     gl->Uniform1f(at[UNIFORM_iMarchStep], march->at);
-    gl->Uniform2f(at[UNIFORM_iMarchPixel], (float)march->pixel[0] + 0.5f,
-                  (float)march->pixel[1] + 0.5f);
+    gl->Uniform2f(at[UNIFORM_iMarchPixel], march->pixel[0], march->pixel[1]);
     gl->Uniform3f(at[UNIFORM_iSliceFrame], frame->left, frame->bottom, frame->unit);
     gl->Uniform1f(at[UNIFORM_iSliceTick], frame->tick);
     gl->Uniform1f(at[UNIFORM_iSliceLine], frame->line);

@@ -15,9 +15,9 @@ struct renderer_eye renderer_eye_of(const struct renderer *renderer,
 
 // The march that a slice shows, or whose steps a picture reads.
 struct march {
-    int pixel[2];
-    int steps; // number of steps in renderer->table
-    float at;  // the step shown, from 0, with a fraction of the next one; -1 if there is none
+    float pixel[2]; // where its ray meets the picture that is drawn, in pixels
+    int steps;      // number of steps in renderer->table
+    float at;       // the step shown, from 0, with a fraction of the next one; -1 if there is none
     enum probe_end end;
     struct slice_frame frame;
     struct plot_frame plot;        // frame of a plot, below the slice

@@ -151,8 +151,13 @@ static bool goes_on(const struct window *window, int by)
 // scenes.
 static void change_scene(struct window *window, int by)
 {
+    const struct contents *course = window->start->contents;
+    int to = window->start->scene + by;
     if (window_has_scenes(window))
         window->asked.scenes = by;
+    if (course != NULL && (to < 0 || to >= course->count))
+        window_note(window, to < 0 ? "This is the first chapter" : "This is the last chapter",
+                    "Home shows all chapters");
 }
 
 static void turn_page(struct window *window, int by)

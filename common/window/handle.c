@@ -95,6 +95,10 @@ bool window_place_handles(struct window *window)
     window->handles.count = count;
     if (shown && window->handles.focused >= count)
         window->handles.focused = -1;
+    // A handle that left the picture could not be grabbed again.
+    const double side[2] = {window->inputs.width, window->inputs.height};
+    for (int i = 0; i < 2; i++)
+        window->handles.target[i] = fmin(fmax(window->handles.target[i], 0.0), side[i]);
     if (window->handles.moving && count > 0 && window->handles.focused >= 0 &&
         handles_drag(window->renderer, &window->inputs, item, window->handles.focused,
                      window->handles.target))

@@ -49,6 +49,8 @@ static enum panel_grab grab_of(const struct window *window, const struct panel_r
         return GRAB_STATUS;
     if (row != NULL && row->kind == PANEL_ROW_VIEW)
         return GRAB_VIEW;
+    if (row != NULL && row->kind == PANEL_ROW_MORE)
+        return GRAB_MORE;
     if (row != NULL && panel_row_button(row, x) >= 0)
         return GRAB_BUTTON;
     if (parameter == NULL)
@@ -63,7 +65,8 @@ enum pointer_shape window_panel_shape(const struct window *window, const float u
     static const enum pointer_shape shapes[] = {
         [GRAB_NOTHING] = SHAPE_ARROW, [GRAB_TITLE] = SHAPE_RESIZE, [GRAB_MARK] = SHAPE_HAND,
         [GRAB_STATUS] = SHAPE_HAND,   [GRAB_VIEW] = SHAPE_HAND,    [GRAB_BUTTON] = SHAPE_HAND,
-        [GRAB_SWATCH] = SHAPE_HAND,   [GRAB_SWITCH] = SHAPE_HAND,  [GRAB_VALUE] = SHAPE_RESIZE};
+        [GRAB_MORE] = SHAPE_HAND,     [GRAB_SWATCH] = SHAPE_HAND,  [GRAB_SWITCH] = SHAPE_HAND,
+        [GRAB_VALUE] = SHAPE_RESIZE};
     return shapes[grab_of(window, row_at(window, unit), unit[0])];
 }
 
@@ -129,6 +132,18 @@ static void click_button(struct window *window)
     window->title.due = 0.0;
 }
 
+// If there is no room for all parameters, select one that is not shown, so that the list moves to
+// it.
+//   last  the number of the last parameter that is shown
+//   by    1 for the parameters after those, -1 for the ones before
+static void turn_list(struct window *window, int last, int by)
+{
+    int count = comparison_parameter_count(window->renderer), from = window->panel.rows.from;
+    int next = by < 0 ? from - 1 : last + (last - from) - 1;
+    next = by > 0 && last == count ? 0 : next >= count ? count - 1 : next < 0 ? 0 : next;
+    window_select(window, comparison_parameter(window->renderer, next));
+}
+
 // Handle a click on anything but the parameters. A click on the mark of a folded panel unfolds the
 // panel.
 static void click_words(struct window *window)
@@ -142,6 +157,8 @@ static void click_words(struct window *window)
         window->panel.views = !window->panel.views;
     else if (window->grab.what == GRAB_VIEW)
         window_show_view(window, window->grab.choice);
+    else if (window->grab.what == GRAB_MORE)
+        turn_list(window, window->grab.choice, 1);
     else if (window->grab.what == GRAB_BUTTON)
         click_button(window);
 }
@@ -194,6 +211,8 @@ bool window_panel_wheel(struct window *window, const struct window_event *event)
     window->grab.notches += event->movement[0];
     int presses = (int)trunc(window->grab.notches);
     window->grab.notches -= presses;
+    if (row != NULL && row->kind == PANEL_ROW_MORE && presses != 0)
+        turn_list(window, row->part, presses < 0 ? 1 : -1);
     if (parameter == NULL || presses == 0)
         return true;
     struct parameter next = *parameter;
@@ -202,6 +221,7 @@ bool window_panel_wheel(struct window *window, const struct window_event *event)
         if (row->part < 0 || row->part == k)
             parameter->value[k] = next.value[k];
     window_parameter_changed(window);
+    window_begin_hour(window, parameter); // which need not be the selected one
     return true;
 }
 
@@ -265,6 +285,7 @@ void window_panel_fill(struct window *window, struct panel *panel, char tip[512]
     panel->rolled = window->panel.rolled;
     panel->peeks = window->panel.peeks;
     panel->views = window->panel.views;
+    panel->still = window_panel_covers(window, window->grab.at);
     panel->open = window->panel.open;
     panel->buttons = !window->panel.in_page;
     panel->table = &window->panel.table;

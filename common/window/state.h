@@ -36,6 +36,7 @@ enum panel_grab {
     GRAB_MARK,
     GRAB_STATUS,
     GRAB_VIEW,
+    GRAB_MORE,
     GRAB_BUTTON,
     GRAB_SWATCH,
     GRAB_SWITCH,
@@ -98,6 +99,8 @@ struct window {
         GLuint tried;       // the program whose cost has been estimated
         double known;       // pixels of the last picture; it predicts no picture of many more
         struct resolution resolution;
+        bool patient; // kept frames are drawn finer, and so more slowly, than they should be
+        bool begins;  // they are to begin again for that reason
     } pace;
     // At rest, a picture that was drawn at a lower resolution is sharpened.
     struct {

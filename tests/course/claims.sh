@@ -2,7 +2,8 @@
 # claims.sh [PAGE...] - tests that the pages agree with `make compare` about the pictures that they compare. If no pixel
 # differs, the page must say so. Otherwise, if the page gives percentages, one of them must be the share of the pixels
 # that differ, rounded to the last digit given. In the same way, the page must give the evaluations per pixel that its
-# commands with --benchmark print, or the least ratio to the bound if a command prints only that, with `tail -n 1`. With
+# commands with --benchmark print, or the least ratio to the bound if a command prints only that, with `tail -n 1`. The
+# numbers of a table in a section that names build/tests/measure must be among those that this command prints. With
 # arguments, such as 03, only those pages are tested.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -127,6 +128,99 @@ counted() { # COMMAND
     esac
 }
 
+# Print the rows of tables in the sections of a page that name build/tests/measure, as lines 'TABLE|WHAT...|NUMBER...', where
+# WHAT are the arguments with which the section names it. A row's numbers are those with a decimal point or a per cent
+# sign with which its cells begin; a row with fewer than two of them is left out.
+rows_of() { # PAGE
+    awk '
+        function end(i) { for (i = 1; i <= n && what != ""; i++) print table[i] "|" what "|" row[i]; n = 0; what = "" }
+        /^##/ { end() }
+        {
+            line = before " " $0 # a command may go on in the next line
+            while (match(line, /build\/tests\/measure [a-z]+/)) {
+                word = substr(line, RSTART + 20, RLENGTH - 20)
+                if (word != "speed" && index(" " what " ", word " ") == 0) what = what word " "
+                line = substr(line, RSTART + RLENGTH)
+            }
+            before = $0 ~ /measure$/ ? $0 : ""
+        }
+        /^\|/ {
+            found = ""; many = 0
+            count = split($0, cell, "|")
+            for (i = 2; i < count; i++)
+                if (match(cell[i], /^ *[-+]?[0-9]+(\.[0-9]+)?( %)?/) && cell[i] ~ /^ *[-+]?[0-9]+(\.[0-9]+|( %))/) {
+                    found = found " " number_of(cell[i])
+                    many++
+                }
+            if (many > 1) { row[++n] = found; table[n] = tables }
+            next
+        }
+        { tables++ }
+        function number_of(text) { match(text, /[0-9]+(\.[0-9]+)?/); return (text ~ /^ *-/ ? "-" : "") substr(text, RSTART, RLENGTH) }
+        END { end() }' "$1"
+}
+
+# prints FILE NUMBER...: true if each of the numbers, rounded to its last digit, is in the file of lines of numbers, and
+# all of them but at most one come one after the other in a line or in a column.
+prints() {
+    awk '
+        function equal(printed, given, half) {
+            half = (match(given, /\./) ? 10 ^ -(length(given) - RSTART) : 1) / 2 + 1e-9
+            return printed - given <= half && given - printed <= half
+        }
+        # The most numbers, in order, among the values of one line or column.
+        function longest(values, count, best, from, at, i) {
+            best = 0
+            for (from = 2; from <= 3 && from < ARGC; from++) {
+                at = from
+                for (i = 1; i <= count && at < ARGC; i++)
+                    if (equal(values[i], number[at])) at++
+                if (at - from > best) best = at - from
+            }
+            return best
+        }
+        BEGIN { for (i = 2; i < ARGC; i++) { number[i] = ARGV[i]; ARGV[i] = "" } }
+        {
+            gsub(/%/, ""); count = split($0, value, /[, ]+/)
+            for (i = 1; i <= count; i++)
+                if (value[i] ~ /^[-+]?[0-9.]+(e[-+][0-9]+)?$/) {
+                    for (k in number) if (equal(value[i], number[k])) seen[k] = 1
+                    column[i, ++rows[i]] = value[i]
+                } else value[i] = "none"
+            best = longest(value, count) > best ? longest(value, count) : best
+        }
+        END {
+            for (i in rows) {
+                split("", value)
+                for (k = 1; k <= rows[i]; k++) value[k] = column[i, k]
+                best = longest(value, rows[i]) > best ? longest(value, rows[i]) : best
+            }
+            for (k in number) if (!(k in seen)) exit 1
+            exit !(best >= ARGC - 3)
+        }' "$@"
+}
+
+for page in docs/[0-9][0-9]_*.md; do
+    name=${page#docs/}
+    [[ $# = 0 || " $* " == *" ${name%%_*} "* ]] || continue
+    : >"$scratch/rows"
+    while IFS='|' read -r table what numbers; do
+        : >"$scratch/printed"
+        for word in $what; do
+            [ -e "$scratch/measure_$word" ] || build/tests/measure "$word" >"$scratch/measure_$word" 2>&1
+            cat "$scratch/measure_$word" >>"$scratch/printed"
+        done
+        verdict=no
+        # shellcheck disable=SC2086 # a list of numbers
+        if prints "$scratch/printed" $numbers; then verdict=yes; fi
+        echo "$table $verdict $what: $numbers" >>"$scratch/rows"
+    done < <(rows_of "$page")
+    # A table of which no row is printed comes from elsewhere.
+    printed=$(sed -n 's/^\([0-9]*\) yes .*/ \1 /p' "$scratch/rows")
+    while read -r table verdict row; do
+        [[ $printed != *" $table "* ]] || check "${name%.md}: build/tests/measure prints the row $row" [ "$verdict" = yes ]
+    done <"$scratch/rows"
+done
 for page in docs/[0-9][0-9]_*.md; do
     name=${page#docs/}
     [[ $# = 0 || " $* " == *" ${name%%_*} "* ]] || continue

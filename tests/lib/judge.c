@@ -119,7 +119,7 @@ const char *judge_rays(const char *with, const char *pixels, const char *right, 
 {
     struct march a, b;
     char first[512] = "", why[640];
-    int count = 0, rays = 0;
+    int count = 0, rays = 0, silent = 0;
     bool recorded = false;
     const char *at = right;
     while ((at = read_march(at, &a)) != NULL)
@@ -131,6 +131,7 @@ const char *judge_rays(const char *with, const char *pixels, const char *right, 
         if (mine == NULL || !b.recorded)
             return refuse(with, "no ray is recorded: include main.glsl, as the chapter does");
         int length = (int)strcspn(pixels, " ");
+        silent += strncmp(b.end, "no march", 8) == 0;
         if (!ends_alike(&b, &a) && count++ == 0)
             snprintf(first, sizeof first, "pixel %.*s: '%.*s' at t %g instead of '%.*s' at t %g",
                      length, pixels, (int)b.outcome, b.end, b.t, (int)a.outcome, a.end, a.t);
@@ -142,8 +143,11 @@ const char *judge_rays(const char *with, const char *pixels, const char *right, 
                                           "five", "six", "seven", "eight", "nine"};
     if (count < 2)
         return "";
-    snprintf(why, sizeof why, "%s, and %d more of the %s rays", first, count - 1,
-             rays < 10 ? numbers[rays] : "compared");
+    snprintf(why, sizeof why, "%s, and %d more of the %s rays%s", first, count - 1,
+             rays < 10 ? numbers[rays] : "compared",
+             silent == rays ? ": let your march call traceBegin, traceStep and traceMarch, as that "
+                              "of march.glsl does"
+                            : "");
     return refuse(with, why);
 }
 

@@ -1,6 +1,7 @@
 // slice.c - tests the frame of the slice view, and the number of steps that the steps view shows.
 // The pictures in tests/references test how a slice is drawn.
 #include "lib/test.h"
+#include "picture/renderer_ray.h"
 #include "picture/slice.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -154,6 +155,38 @@ TEST(the_lines_are_round_parts_of_a_tick)
             first /= 10;
         assert_true(first == 1 || first == 2 || first == 5);
         assert_float_equal(frame.tick / frame.line, parts[first], 1e-4f);
+    }
+}
+
+// A slice that is drawn with fewer pixels, because it is moving, shows the march of the picture at
+// full size, as the table of the ray does, although a smaller picture has other rays, thresholds
+// and starts.
+TEST(a_coarse_slice_shows_the_same_march)
+{
+    static struct probe probe;
+    struct renderer_inputs inputs = {.width = 960, .height = 540, .samples = 1};
+    struct march march, other;
+    inputs.camera = gpu_open_chapter("16_fewer_steps");
+    for (int x = 500; x < 900; x += 80) {
+        struct renderer_inputs small = inputs;
+        small.pixel[0] = inputs.pixel[0] = x;
+        small.pixel[1] = inputs.pixel[1] = 200;
+        small.width = 227;
+        small.height = 128;
+        assert_true(renderer_probe(&gpu.renderer, &inputs, x, 200, &probe));
+        small.whole[0] = 960;
+        small.whole[1] = 540;
+        assert_true(renderer_march_selected(&gpu.renderer, NULL, &small, &march));
+        assert_int_equal(march.steps, probe_rows(&probe));
+        for (int k = 0; k < march.steps && k < RENDERER_STEPS; k++)
+            assert_true(fabsf(march.step[k][0] - probe.step[k].t) <= 0.0f);
+        // In halves of the height from the middle, the ray meets both pictures at the same place.
+        assert_true(renderer_march_selected(&gpu.renderer, NULL, &inputs, &other));
+        for (int i = 0; i < 2; i++) {
+            float middle[2] = {i == 0 ? 113.5f : 64.0f, i == 0 ? 480.0f : 270.0f};
+            assert_true(fabsf((march.pixel[i] - middle[0]) / 64.0f -
+                              (other.pixel[i] - middle[1]) / 270.0f) < 1e-5f);
+        }
     }
 }
 

@@ -32,9 +32,10 @@ static const char text[] =
 static const char still[] =
     GPU_COURSE "#include \"random.glsl\"\n"
                "uniform sampler2D history; // the last frame\n"
+               "uniform float gain; // 1 in [0, 4]: brightness\n"
                "vec4 frameKept(vec2 pixel)\n"
                "{\n"
-               "    return mix(texelFetch(history, iPixel, 0), vec4(pixelRandom(3)),\n"
+               "    return mix(texelFetch(history, iPixel, 0), vec4(gain * pixelRandom(3)),\n"
                "               1.0 / float(iFrame + 1));\n"
                "}\n"
                "vec3 rayColour(Ray ray) { return texelFetch(history, iPixel, 0).rgb; }\n";
@@ -211,6 +212,29 @@ SESSION_TEST(a_slow_beginning_is_forgotten)
     session_wait(1.0);
     assert_int_equal(session_window()->pace.resolution.level, 0);
     assert_true(frame() > 3 && kept() == frame() + 1);
+}
+
+// A mean that is calm begins again with more pixels, however slow its frames become; a picture that
+// somebody changes is quick again.
+SESSION_TEST(a_calm_mean_becomes_finer)
+{
+    scratch_write("still.frag", still);
+    user.pixel_seconds = 4e-5;
+    session_open_bare(CHAPTER, "--size 320x200 --shader %s", scratch_path("still.frag"));
+    for (int i = 0; i < 100; i++)
+        session_turn();
+    int level = session_window()->pace.resolution.level;
+    assert_true(level > 6 && frame() > 90);
+    for (int i = 0; i < 100; i++)
+        session_turn();
+    assert_int_equal(session_window()->pace.resolution.level, level - 6);
+    assert_true(frame() > 60 && frame() < 80 && kept() == frame() + 1);
+    session_key(GLFW_KEY_RIGHT);
+    for (int i = 0; i < 10; i++)
+        session_turn();
+    assert_true(session_window()->pace.resolution.level >= level - 1);
+    user.pixel_seconds = 0.0;
+    session_close();
 }
 
 SESSION_TEST(a_kept_frame_is_not_smoothed)

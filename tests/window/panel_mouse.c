@@ -15,9 +15,14 @@ static const char rows[] =
     "uniform bool lit; // true: whether there is light\n"
     "uniform vec3 tint; // 0.5 in [0, 1], linear RGB: the colour of everything\n"
     "#include \"main.glsl\"\n#include \"camera.glsl\"\n#include \"lighting.glsl\"\n"
+    "#include \"march.glsl\"\n"
     "Ray pixelRay(vec2 screen) { return perspectiveRay(screen); }\n"
     "float sceneDistance(vec3 p) { return 1.0 + fine * size; }\n"
-    "vec3 rayColour(Ray ray) { return lit ? encodeSRGB(tint) : vec3(DARK); }\n";
+    "vec3 rayColour(Ray ray)\n"
+    "{\n"
+    "    march(ray, 0.0, 9.0, 0.001, 8);\n"
+    "    return lit ? encodeSRGB(tint) : vec3(DARK);\n"
+    "}\n";
 
 //   timed  the shader reads the time, although its picture stays the same
 static void open_rows(int scale, bool timed)
@@ -133,6 +138,53 @@ SESSION_TEST(rows_do_not_move_under_the_pointer)
     leave_panel();
     session_click(60, 62); // fine is one row higher, because the range of size is hidden
     session_assert_title("fine = ");
+    session_close();
+}
+
+// If there is no room for all rows, a row that is pressed stays under the pointer, and the line
+// below the rows turns to the others.
+SESSION_TEST(a_list_that_is_cut_can_be_turned)
+{
+    session_open("21_a_landscape", "--size 480x270 --overlay=1 --time 0");
+    struct panel_rows *panel = &session_window()->panel.rows;
+    const struct panel_row *more = NULL;
+    session_key(GLFW_KEY_ESCAPE);
+    for (int i = 0; i < panel->count; i++)
+        more = panel->row[i].kind == PANEL_ROW_MORE ? &panel->row[i] : more;
+    assert_non_null(more);
+    int last = more->part;
+    double x = (double)more->left + 4.0, y = (double)more->top + 3.0;
+    session_click(x, y);
+    session_turn();
+    int from = panel->from, pressed = -1;
+    assert_true(from > 0 && from <= last);
+    for (int i = 0; i < panel->count; i++)
+        pressed = pressed < 0 && panel->row[i].kind == PANEL_ROW_PARAMETER ? i + 1 : pressed;
+    float top = panel->row[pressed].top;
+    int parameter = panel->row[pressed].parameter;
+    session_click(x, (double)top + 3.0);
+    session_turn();
+    assert_int_equal(panel->from, from);
+    assert_int_equal(panel_rows_at(panel, (float)x, top + 3.0f)->parameter, parameter);
+    point(x, y);
+    wheel(1.0); // back to the rows before
+    session_turn();
+    assert_true(panel->from < from);
+    session_close();
+}
+
+// A picture that is paused has no wider panel.
+SESSION_TEST(a_pause_changes_no_row)
+{
+    session_open("21_a_landscape", "--size 960x540 --overlay=1");
+    const struct panel_rows *panel = &session_window()->panel.rows;
+    session_wait(12.0);
+    float width = panel->width;
+    int count = panel->count;
+    session_key(GLFW_KEY_ESCAPE);
+    session_turn();
+    assert_true(panel->width <= width);
+    assert_int_equal(panel->count, count);
     session_close();
 }
 
