@@ -713,6 +713,22 @@ replaced() { # prints the complaints of `make student` about sentences that it c
     done
 }
 judge "the sentences that make student replaces exist" "$(replaced)"
+lost_guesses() { # prints the lines of guesses.txt that are not the beginning of one question of their page
+    local page words kind
+    while IFS='|' read -r page words kind; do
+        awk -v words="$words" '
+            function plain(text) {
+                gsub(/\]\([^)]*\)|[][`*$ ]/, "", text) # without blanks, because formulas have some
+                return text
+            }
+            function end() { if (question != "" && index(plain(question), plain(words)) == 1) found++; question = "" }
+            /^$/ { end() }
+            sub(/^\*Predict\.\*/, "") { question = $0; next }
+            question != "" { question = question " " $0 }
+            END { end(); if (found != 1) print FILENAME ": " words "begins " found + 0 " questions" }' "docs/${page% }.md"
+    done < <(grep '^[0-9]' docs/web/guesses.txt)
+}
+judge "each line of guesses.txt begins one question" "$(lost_guesses)"
 check_checks
 check_tool
 check_use

@@ -255,18 +255,20 @@ check('the program waits for each picture by reading a pixel', drawn.readPixels 
 const hide = (hidden) => page.evaluate((hidden) => {
     Object.defineProperty(document, 'hidden', {value: hidden, configurable: true});
     document.dispatchEvent(new Event('visibilitychange'));
-    return [performance.now() / 1000, window.program.state().time];
+    return window.program.state().time;
 }, hidden);
-const [hiddenAt, hiddenTime] = await hide(true), drawnThen = await calls();
+const hiddenTime = await hide(true), drawnThen = await calls();
 await frames(page, 45);
 check('a hidden page draws nothing', (await calls()).drawArrays === drawnThen.drawArrays, drawnThen, await calls());
 check('the clock of a hidden page does not advance', (await state(page)).time === hiddenTime);
-const [shownAt] = await hide(false);
+// The page seems to have been hidden for a week, far longer than the test may take to see it again.
+await page.evaluate(() => {
+    const now = performance.now.bind(performance);
+    performance.now = () => now() + 6048e5;
+});
+await hide(false);
 now = await until(page, (s) => s.time > hiddenTime);
-const shownFor = (await page.evaluate(() => performance.now() / 1000)) - shownAt;
-// An iteration of the main loop may have been almost due when the page was hidden, so the test allows for half the time
-// during which the page was hidden.
-check('the clock does not make up for the time during which the page was hidden', now.time - hiddenTime < shownFor + 0.5 * (shownAt - hiddenAt), hiddenTime, now.time, hiddenAt, shownAt, shownFor);
+check('the clock does not make up for the time during which the page was hidden', now.time - hiddenTime < 3600, hiddenTime, now.time);
 await page.evaluate(() => window.scrollTo(0, 2000));
 await page.waitForFunction(() => !window.program.visible).catch(() => {});
 const away = await calls();
