@@ -112,14 +112,18 @@ static void reset(struct window *window)
     window_parameter_changed(window);
 }
 
-// Go to the first step of the selected ray. If there is none, or if the course's ray is there
-// already, show the contents or, outside a course, reset the selected parameter.
+// Go to the first step of the selected ray. If there is none, or if the course's ray is there, show
+// the contents or, outside a course, reset the selected parameter.
 static void go_first(struct window *window)
 {
     bool there = window->inputs.pixel[0] >= 0 && window->inputs.shown == 1.0f;
-    if (!(there && window_has_contents(window)) && window_step_to(window, false))
+    bool course = window_has_contents(window);
+    bool stepped = !(there && course) && window_step_to(window, false);
+    if (stepped && course)
+        window_note(window, "The first step of the ray", "Home again: all chapters");
+    else if (stepped)
         return;
-    if (window_has_contents(window))
+    else if (course)
         window_toggle_contents(window);
     else
         reset(window);

@@ -469,6 +469,7 @@ SESSION_TEST(the_course_goes_from_chapter_to_chapter)
     turns(30);
     assert_chapter("00_first_scene");
     back(); // there is none before it
+    assert_string_equal(lecture_window(lecture)->panel.note_heading, "This is the first chapter");
     turns(30);
     assert_chapter("00_first_scene");
     close_list();
@@ -495,6 +496,7 @@ SESSION_TEST(the_sheet_of_contents_opens_a_chapter)
     key(GLFW_KEY_Q, 0);    // the last step of a ray
     key(GLFW_KEY_HOME, 0); // its first step
     assert_false(lecture_window(lecture)->contents.open);
+    assert_string_equal(lecture_window(lecture)->panel.note, "Home again: all chapters");
     key(GLFW_KEY_HOME, 0);
     assert_true(lecture_window(lecture)->contents.open);
     user_click(40.0, 40.0, GLFW_MOUSE_BUTTON_LEFT); // the first picture of the first row
