@@ -176,13 +176,15 @@ static void step_by_page(struct window *window, int by)
         window_step(window, by);
 }
 
+static const char captured[] = "The mouse is captured";
+
 // A captured mouse is released by the input itself.
 static void capture(struct window *window)
 {
     if (!window_key_acts(window, KEY_WITH_CAMERA))
         return;
     window_input_capture(&window->input);
-    window_note(window, "The mouse is captured", "M or Escape releases it");
+    window_note(window, captured, "M or Escape releases it");
 }
 
 static void blacken(struct window *window)
@@ -394,6 +396,8 @@ void window_act(struct window *window)
     window_input_count(input);
     for (int i = 0; i < input->events; i++)
         act(window, &input->event[i]);
+    if (window->panel.note_heading == captured && !input->captured)
+        window->panel.note[0] = '\0';
     window_pointer_rest(window);
     window->dirty |= input->damaged;
     window_input_forget(input);

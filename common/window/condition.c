@@ -67,7 +67,8 @@ bool window_key_acts(struct window *window, enum key_condition condition)
     case KEY_WITH_LENS:
         return reads(window->renderer, INPUT_FOCAL, INPUT_FOCAL);
     case KEY_WITH_MARCH:
-        return window->renderer->fragment.marches;
+        // A view that an earlier version of the shader had can be left.
+        return window->renderer->fragment.marches || window->renderer->view != VIEW_PICTURE;
     case KEY_WITH_TIME:
         return window_uses_time(window);
     case KEY_WITH_EDITOR:

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "picture/passes.h"
+#include "window/condition.h"
 
 #define MEASURED    3    // frames from which the resolution is chosen
 #define SETTLED     64   // frames after which it stays
@@ -95,17 +96,17 @@ int window_choose_level(struct window *window)
 {
     struct resolution *resolution = &window->pace.resolution, other = *resolution;
     double pixels = (double)window->inputs.width * window->inputs.height;
-    if (window->inputs.frame == CALM && resolution->level > 0 && !window->pace.patient &&
-        window_averages(window)) {
-        window->pace.patient = window->pace.begins = true;
-        resolution->level = (int)fmax(resolution->level - PATIENCE, 0.0);
-    }
-    if (window_keeps(window) && window->pace.patient)
-        return resolution->level;
-    if (!window_keeps(window) || window->inputs.frame < MEASURED)
+    int frame = window->inputs.frame, level = resolution->level;
+    bool keeps = window_keeps(window), patient = keeps && window->pace.patient;
+    if (!patient && (!keeps || frame < MEASURED))
         return resolution_choose(resolution, pixels);
-    if (window->inputs.frame < SETTLED &&
-        resolution_choose(&other, pixels) <= resolution->level - MUCH_FINER)
-        resolution->level = (int)fmax(other.level, resolution->level - 2 * MUCH_FINER);
+    if (!patient && frame < SETTLED && resolution_choose(&other, pixels) <= level - MUCH_FINER)
+        resolution->level = (int)fmax(other.level, level - 2 * MUCH_FINER);
+    else if (!patient && frame == CALM && level > 0 && window_averages(window)) {
+        window->pace.patient = window->pace.begins = true;
+        resolution->level = (int)fmax(level - PATIENCE, 0.0);
+    }
+    if (resolution->level < level && window_averages(window))
+        window_note(window, "The mean begins again", "with more pixels");
     return resolution->level;
 }

@@ -124,10 +124,11 @@ static bool is_covering(const struct window *window)
 bool window_uncover_handles(struct window *window, int moves)
 {
     enum panel_room *room = &window->panel.room;
+    bool flat = shader_includes(&window->renderer->fragment, "shaders/figure.glsl");
     if ((moves == 0 && *room != ROOM_UNKNOWN) || *room >= ROOM_COLLAPSED ||
-        window->handles.count == 0 || window->panel.in_page)
+        (window->handles.count == 0 && !flat) || window->panel.in_page)
         return false;
-    if (!is_covering(window)) {
+    if (!is_covering(window) && !(flat && moves == 0 && !window->panel.right)) {
         *room = moves == 0 ? ROOM_DECIDED : *room;
         return false;
     }

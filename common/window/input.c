@@ -9,6 +9,7 @@
 #define TAP          0.03 // seconds of movement for a shorter press
 #define FASTER       4.0  // factor of the speed while Left Shift or F is held
 #define DRAG_BEGINS  3.0  // window units that the pointer may move during a click
+#define DRAG_PATH    8.0  // window units between two points of a drag that are both kept
 #define DOUBLE       0.4  // maximum time between the two presses of a double click, in seconds
 
 // GLFW names keys after an American keyboard: GLFW_KEY_W is the key labelled Z on a French one.
@@ -29,10 +30,14 @@ static struct window_input *input_of(GLFWwindow *window)
     return glfwGetWindowUserPointer(window);
 }
 
+// Events of one kind that follow each other become one. But a drag keeps points of its path,
+// because a stroke follows the path.
 static void add(struct window_input *input, struct window_event event)
 {
     struct window_event *last = input->events > 0 ? &input->event[input->events - 1] : NULL;
-    if (last != NULL && last->kind == event.kind && event.kind >= EVENT_WHEEL) {
+    bool far = event.kind == EVENT_DRAG && input->events < WINDOW_INPUT_EVENTS / 2 &&
+               last != NULL && hypot(last->movement[0], last->movement[1]) >= DRAG_PATH;
+    if (last != NULL && last->kind == event.kind && event.kind >= EVENT_WHEEL && !far) {
         for (int axis = 0; axis < 3; axis++)
             last->movement[axis] += event.movement[axis];
         memcpy(last->position, event.position, sizeof event.position);

@@ -77,9 +77,9 @@ bool window_stroke_claims(struct window *window, const struct window_event *pres
 void window_stroke_input(struct window *window, const struct window_event *event)
 {
     memcpy(window->pointer.last, event->pixel, sizeof event->pixel);
+    window_stroke_rest(window); // for every point of the path, also if a frame takes long
     if (event->kind != EVENT_RELEASE)
         return;
-    window_stroke_rest(window);
     const struct strokes *strokes = window->start->strokes;
     char *text = stroke_text(&strokes->item[strokes->count - 1]);
     printf("--stroke %s\n", text);

@@ -230,6 +230,35 @@ TEST(a_picture_beside_a_buffer)
     image_free(&right);
 }
 
+// Between a black and a white texel, a read with the filter of the channel is a mean of both, and
+// one of the nearest texel is not.
+TEST(a_buffer_is_filtered_between_texels)
+{
+    static const char *const filters[] = {"linear", "nearest"};
+    for (int i = 0; i < 2; i++) {
+        char text[2048];
+        struct image image;
+        const struct renderer_inputs inputs = at_frame(1);
+        snprintf(
+            text, sizeof text,
+            "{\"ver\":\"0.1\",\"renderpass\":[{\"type\":\"buffer\",\"outputs\":[{\"id\":"
+            "\"4dXGR8\",\"channel\":0}],\"inputs\":[],\"code\":\"void mainImage(out vec4 c, in "
+            "vec2 p) { c = vec4(p.x > 32.0); }\"},{\"type\":\"image\",\"outputs\":[{\"id\":"
+            "\"4dfGRr\",\"channel\":0}],\"inputs\":[{\"channel\":0,\"type\":\"buffer\",\"id\":"
+            "\"4dXGR8\",\"sampler\":{\"filter\":\"%s\",\"wrap\":\"clamp\"}}],\"code\":\"void "
+            "mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, (p + vec2(0.25, 0.0)) / "
+            "iResolution.xy); }\"}]}",
+            filters[i]);
+        assert_true(gpu_load_file(&gpu.renderer, scratch_write("filter.json", text)));
+        assert_true(renderer_picture(&gpu.renderer, &inputs, &image));
+        const unsigned char *pixel = image.pixel + 3 * (WIDTH / 2 - 1);
+        assert_int_equal(pixel[-3], 0);
+        assert_in_range(pixel[0], i == 0 ? 62 : 0, i == 0 ? 66 : 0);
+        assert_int_equal(pixel[3], 255);
+        image_free(&image);
+    }
+}
+
 // Each line is printed once, whatever passes it is about, and those about the picture too.
 TEST(a_warning_is_printed_once)
 {

@@ -5,6 +5,7 @@
 #include "lib/scratch.h"
 #include "picture/benchmark.h"
 #include "picture/passes.h"
+#include "picture/renderer_ray.h"
 
 #define HISTORY GPU_COURSE "uniform sampler2D history; // the last frame\n"
 #define SHOWN   "vec3 rayColour(Ray ray) { return texelFetch(history, iPixel, 0).rgb; }\n"
@@ -392,21 +393,34 @@ TEST(a_probe_and_the_views_read_the_frame)
         "#include \"main.glsl\"\n#include \"march.glsl\"\n"
         "uniform sampler2D history; // the last frame\n"
         "Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 4.0), vec3(0.0, 0.0, -1.0)); }\n"
-        "float sceneDistance(vec3 p) { return p.z; }\n"
+        "float sceneDistance(vec3 p) { return 0.5; }\n"
         "vec4 frameKept(vec2 pixel) { return texelFetch(history, iPixel, 0) + 0.1; }\n"
         "vec3 rayColour(Ray ray)\n"
         "{\n"
-        "    Hit hit = march(ray, 0.0, 9.0, 0.001, 64);\n"
         "    float kept = texelFetch(history, iPixel, 0).r;\n"
-        "    hit.t += 0.0;\n"
+        "    march(ray, 0.0, 9.0, 1e-9, int(10.0 * kept + 0.5));\n"
         "    return vec3(kept);\n"
         "}\n"));
-    assert_true(renderer_probe(&gpu.renderer, &inputs, 4, 4, &probe));
-    assert_int_equal(probe.colour[0], 102); // 4 frames of 0.1
-    assert_true(probe_rows(&probe) > 0);
-    inputs = passes_inputs(&inputs, 4);
-    assert_true(renderer_probe(&gpu.renderer, &inputs, 4, 4, &probe));
-    assert_int_equal(probe.colour[0], 128);
+    struct march march;
+    float steps[2];
+    for (int frame = 3; frame < 5; frame++) { // frame + 1 times 0.1, and so many steps
+        inputs = passes_inputs(&inputs, frame);
+        assert_true(renderer_set_view(&gpu.renderer, VIEW_PICTURE));
+        assert_true(renderer_probe(&gpu.renderer, &inputs, 4, 4, &probe));
+        assert_int_equal(probe.colour[0], frame == 3 ? 102 : 128);
+        assert_int_equal(probe_rows(&probe), frame + 1);
+        inputs.pixel[0] = inputs.pixel[1] = 4;
+        assert_true(renderer_set_view(&gpu.renderer, VIEW_SLICE));
+        draw(&inputs);
+        assert_true(renderer_march_selected(&gpu.renderer, NULL, &inputs, &march));
+        assert_int_equal(march.steps, frame + 1);
+        assert_true(renderer_set_view(&gpu.renderer, VIEW_STEPS));
+        float *colour = gpu_numbers(&inputs);
+        steps[frame - 3] = colour[0] + 2.0f * colour[1] + 4.0f * colour[2];
+        free(colour);
+    }
+    assert_true(fabsf(steps[1] - steps[0]) > 0.01f);
+    assert_true(renderer_set_view(&gpu.renderer, VIEW_PICTURE));
 }
 
 TEST(both_pictures_of_a_comparison_keep_their_frames)

@@ -46,6 +46,7 @@ static int set_up(void **unused)
         read[i] = inputs_default(tool_inputs_find(names[i]));
     renderer.fragment.inputs = read;
     renderer.fragment.input_count = 4;
+    renderer.fragment.marches = true;
     renderer.program[VIEW_PICTURE] = 1;
     user_reset();
     shown = 0;

@@ -188,8 +188,9 @@ SESSION_TEST(a_shader_without_the_view_shows_its_picture)
     static const char toy[] =
         "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.0, 1.0, 0.0, 1.0); }";
     scratch_write("mine.glsl", "// nothing\n");
-    save("a.frag", "", "vec3(1.0, 0.0, 0.0)");
-    save("b.frag", "", "vec3(1.0, 0.0, 0.0)");
+    for (int i = 0; i < 2; i++)
+        save(i == 0 ? "a.frag" : "b.frag", "#include \"march.glsl\"",
+             "march(ray, 0.0, 1.0, 0.1, 9).found ? vec3(0.5) : vec3(1.0, 0.0, 0.0)");
     session_open_bare(CHAPTER, "--size 64x36 --shader %s --compare %s", scratch_path("a.frag"),
                       scratch_path("b.frag"));
     session_key(GLFW_KEY_5);

@@ -44,6 +44,24 @@ SESSION_TEST(a_stroke_is_printed_as_the_option_that_draws_it)
     assert_drawn_again("-0.06");
 }
 
+// Between two slow frames, the pointer may go far. The stroke follows its path over the clay.
+SESSION_TEST(a_stroke_follows_a_quick_drag)
+{
+    session_open_bare(CHAPTER, OPTIONS "0.06");
+    session_said(1);
+    user_point(118, 80);
+    user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_PRESS);
+    for (int i = 1; i <= 30; i++)
+        user_point(118.0 + 1.5 * i, 80.0 + 12.0 * sin(0.1 * i));
+    session_turn();
+    const char *option = let_go();
+    int commas = 0;
+    for (const char *c = option; *c != '\0'; c++)
+        commas += *c == ',';
+    assert_true(commas >= 3 * 5); // an amount, and the three numbers of each point
+    session_close();
+}
+
 SESSION_TEST(strokes_are_taken_back)
 {
     sculpt("0.06");
