@@ -176,9 +176,9 @@ SESSION_TEST(a_list_that_is_cut_can_be_turned)
 // A picture that is paused has no wider panel.
 SESSION_TEST(a_pause_changes_no_row)
 {
-    session_open("21_a_landscape", "--size 960x540 --overlay=1");
+    session_open("21_a_landscape", "--size 480x270 --overlay=1 --time 12");
     const struct panel_rows *panel = &session_window()->panel.rows;
-    session_wait(12.0);
+    session_wait(0.5);
     float width = panel->width;
     int count = panel->count;
     session_key(GLFW_KEY_ESCAPE);
