@@ -155,7 +155,8 @@ void parameter_put(struct parameter *parameter, int part, double fraction);
 // True for a parameter with three components whose unit is "linear RGB".
 bool parameter_is_colour(const struct parameter *parameter);
 
-// True for the hour at which the picture's time begins: a parameter whose unit is "hour of the day".
+// True for the hour at which the picture's time begins: a parameter whose unit is "hour of the
+// day".
 bool parameter_is_hour(const struct parameter *parameter);
 
 // Reset a parameter to the value in the shader's comment.

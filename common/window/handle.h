@@ -30,8 +30,8 @@ bool window_place_handles(struct window *window);
 
 // If the panel that has just been laid out covers a handle, move it to the right or, if it is
 // there, collapse it. A figure in the plane has its numbers at the top left, so its panel is
-// on the right in any case. Does so only when a picture is first shown, and not after the user has moved
-// the panel.
+// on the right in any case. Does so only when a picture is first shown, and not after the user has
+// moved the panel.
 //   moves    how often this frame's panel has been moved
 //   returns  true if it must be laid out again
 bool window_uncover_handles(struct window *window, int moves);

@@ -1,6 +1,7 @@
 #include "window/keys.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -43,9 +44,10 @@ static void fill_labels(const struct window *window, const char *keys, char *tex
 static bool has_moved(const struct window *window)
 {
     const struct camera *now = &window->inputs.camera, *first = &window->start->camera;
-    return memcmp(now->position, first->position, sizeof now->position) != 0 ||
-           now->pan < first->pan || now->pan > first->pan || now->tilt < first->tilt ||
-           now->tilt > first->tilt || window->unzoomed > 0.0;
+    float apart = fabsf(now->pan - first->pan) + fabsf(now->tilt - first->tilt);
+    for (int i = 0; i < 3; i++)
+        apart += fabsf(now->position[i] - first->position[i]);
+    return apart > 0.0f || window->unzoomed > 0.0;
 }
 
 void window_list_keys(struct window *window)

@@ -73,13 +73,13 @@ struct window {
     bool broken;       // the newest version of the shader has an error; an older one is shown
     bool compiles;     // the driver is compiling the newest version; an older one is shown
     bool paused;
-    bool moved;    // the content of the picture has changed in this iteration
-    bool stale;    // the picture must be drawn again
-    bool dirty;    // the frame must be shown again
-    bool black;    // nothing is seen (key B)
+    bool moved;      // the content of the picture has changed in this iteration
+    bool stale;      // the picture must be drawn again
+    bool dirty;      // the frame must be shown again
+    bool black;      // nothing is seen (key B)
     double unzoomed; // the focal length before the wheel changed it; 0 if it has not
-    int opening;   // steps of the middle ray to show once the window is visible
-    bool shooting; // a screenshot waits for the sharp picture, while the time is stopped
+    int opening;     // steps of the middle ray to show once the window is visible
+    bool shooting;   // a screenshot waits for the sharp picture, while the time is stopped
     struct {
         bool on;       // Tab was pressed, and the projection is changing
         double target; // the value of orthographic at the end of the transition
@@ -134,8 +134,8 @@ struct window {
         char error[4096];         // the error that the panel shows; "" if there is none
         struct panel_key keys[WINDOW_KEYS];
         int key_count;
-        char hint[96]; // names the keys that list more or fewer keys, and that deselect a ray, bring
-                       // the camera back or hide the overlay
+        char hint[96]; // names the keys that list more or fewer keys, and that deselect a ray,
+                       // bring the camera back or hide the overlay
     } panel;
     struct {
         int scenes, part, scene; // as window_asked returns them

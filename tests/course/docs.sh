@@ -714,8 +714,8 @@ replaced() { # prints the complaints of `make student` about sentences that it c
 }
 judge "the sentences that make student replaces exist" "$(replaced)"
 lost_guesses() { # prints the lines of guesses.txt that are not the beginning of one question of their page
-    local page words kind
-    while IFS='|' read -r page words kind; do
+    local page words
+    while IFS='|' read -r page words _; do
         awk -v words="$words" '
             function plain(text) {
                 gsub(/\]\([^)]*\)|[][`*$ ]/, "", text) # without blanks, because formulas have some

@@ -152,8 +152,9 @@ SESSION_TEST(a_list_that_is_cut_can_be_turned)
     for (int i = 0; i < panel->count; i++)
         more = panel->row[i].kind == PANEL_ROW_MORE ? &panel->row[i] : more;
     assert_non_null(more);
-    int last = more->part;
-    double x = (double)more->left + 4.0, y = (double)more->top + 3.0;
+    int last = more != NULL ? more->part : 0;
+    double x = more != NULL ? (double)more->left + 4.0 : 0.0;
+    double y = more != NULL ? (double)more->top + 3.0 : 0.0;
     session_click(x, y);
     session_turn();
     int from = panel->from, pressed = -1;
