@@ -40,20 +40,34 @@ static void divide(struct paths_light *light, int count)
     light->apart /= count;
 }
 
-void paths_terrace(struct paths_light *light)
+// Compare two kinds of light in chapter 13.
+static void compare(struct paths_light *light, int kind, int estimated)
 {
     const char *stem = "13_soft_shadows";
     int count = 0;
-    gpu_open_shader("tests/shaders/terrace_light.frag");
-    float *paths = means(stem, 0), *ambient = means(stem, 1), *sky = means(stem, 2);
+    float *paths = means(stem, kind), *estimate = means(stem, estimated), *sky = means(stem, 2);
     *light = (struct paths_light){0};
     for (int i = 0; i < 4 * PIXELS; i += 4)
         if (sky[i] <= 0.0f)
-            add(light, &count, paths + i, ambient + i, 8.0);
+            add(light, &count, paths + i, estimate + i, 8.0);
     divide(light, count);
     free(paths);
-    free(ambient);
+    free(estimate);
     free(sky);
+}
+
+void paths_terrace(struct paths_light *light)
+{
+    gpu_open_shader("tests/shaders/terrace_light.frag");
+    compare(light, 0, 1);
+}
+
+void paths_sun(int method, struct paths_light *light)
+{
+    gpu_open_shader("tests/shaders/terrace_light.frag");
+    gpu_set("shadow", method);
+    gpu_set("rays", 2); // in each of the 64 samples of a pixel
+    compare(light, 3, 4);
 }
 
 void paths_court(enum paths_openness openness, struct paths_light *all, struct paths_light *dark)
@@ -105,6 +119,12 @@ int paths_print(void)
          "estimate,paths red,green,blue,estimate red,green,blue,red,green,blue,apart");
     paths_terrace(&light);
     print("13: ambient light", &light);
+    for (int method = 0; method < 4; method++) {
+        char name[40];
+        paths_sun(method, &light);
+        snprintf(name, sizeof name, "13: the sun with shadow=%d", method);
+        print(name, &light);
+    }
     for (int formula = 0; formula < 2; formula++) {
         char name[80];
         paths_court((enum paths_openness)formula, &light, &dark);

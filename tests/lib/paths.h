@@ -13,6 +13,11 @@ struct paths_light {
 // Chapter 13's ambient light, and what the sky and the other surfaces send.
 void paths_terrace(struct paths_light *light);
 
+// Compare the light that comes straight from the sun in chapter 13: one ray to a random point of
+// the sun for each sample, and the chapter's share.
+//   method  the value of the chapter's parameter shadow
+void paths_sun(int method, struct paths_light *light);
+
 // The openness from which the series of chapter 14 is computed: that of the taps, or that of 256
 // rays.
 enum paths_openness { PATHS_TAPS, PATHS_TRUE_OPENNESS };

@@ -22,6 +22,18 @@ TEST(the_ambient_light_of_chapter_13_is_compared_with_paths)
     assert_true(light.apart < 0.02);
 }
 
+// Many rays bring the sun's light to within 0.1 %, and the formulas of one march lose a fifth.
+TEST(the_shares_of_chapter_13_are_compared_with_paths)
+{
+    struct paths_light light;
+    for (int channel = 0; channel < 3; channel++) {
+        paths_sun(3, &light);
+        assert_share(&light, channel, 0.001);
+        paths_sun(2, &light);
+        assert_share(&light, channel, -0.198);
+    }
+}
+
 TEST(the_series_of_chapter_14_is_compared_with_paths)
 {
     struct paths_light taps, taps_dark, truth, truth_dark;

@@ -1,12 +1,12 @@
-// For tests/lib/paths.c: the light that leaves a surface of chapter 13, without what comes straight from the sun,
-// divided by 8: from one path of light for each sample, or the chapter's.
+// For tests/lib/paths.c: the light that leaves a surface of chapter 13, divided by 8: without what comes straight from
+// the sun, from one path of light for each sample or the chapter's, or only what comes straight from the sun.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"
 #undef rayColour
 #include "occlusion.glsl"
 
-uniform int what; // 0 in [0, 2]: 0 paths, 1 the chapter's ambient light, 2 whether the sample shows the sky
+uniform int what; // 0 in [0, 4]: 0 paths, 1 the ambient light, 2 the sky, 3 the sun by one ray, 4 by its share
 
 const int MOST = 6; // surfaces after the first; another one would add less than 1 %
 
@@ -24,6 +24,14 @@ Surface nextSurface(Ray ray)
     return Surface(open, p, normal, hit.found ? stone : floorColour(p, vec2(0.001)), radius);
 }
 
+// The light that arrives from a point of the sun.
+vec3 straight(Surface s, vec3 toSun, vec2 square)
+{
+    Ray ray = sunRay(s, lampDirection(toSun, spread, discPoint(square)));
+    float seen = lightReaching(ray, sunReach(s, ray), hitThreshold, maxSteps);
+    return SUN_COLOUR * lambert(s.normal, ray.direction) * seen;
+}
+
 // The light that arrives from the sky and from other surfaces, from one path.
 vec3 arriving(Surface s, vec3 toSun)
 {
@@ -36,10 +44,7 @@ vec3 arriving(Surface s, vec3 toSun)
             break;
         }
         carried *= s.colour;
-        vec2 square = vec2(pixelRandom(4 * k + 2), pixelRandom(4 * k + 3));
-        Ray ray = sunRay(s, lampDirection(toSun, spread, discPoint(square)));
-        float seen = lightReaching(ray, sunReach(s, ray), hitThreshold, maxSteps);
-        light += carried * SUN_COLOUR * lambert(s.normal, ray.direction) * seen;
+        light += carried * straight(s, toSun, vec2(pixelRandom(4 * k + 2), pixelRandom(4 * k + 3)));
     }
     return light;
 }
@@ -48,6 +53,9 @@ vec3 rayColour(Ray ray)
 {
     vec3 toSun = sunDirection();
     Surface s = surfaceAt(ray);
-    vec3 light = what == 0 ? arriving(s, toSun) : ambientLight(s.normal);
+    vec3 light = what == 0   ? arriving(s, toSun)
+                 : what == 3 ? straight(s, toSun, vec2(pixelRandom(0), pixelRandom(1)))
+                 : what == 4 ? SUN_COLOUR * lambert(s.normal, toSun) * sunSeen(s, toSun)
+                             : ambientLight(s.normal);
     return what == 2 ? vec3(s.open) : s.colour * light / 8.0;
 }
