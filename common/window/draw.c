@@ -214,7 +214,9 @@ static bool draw_picture(struct window *window, double now)
     if (!begun && !try_program(window))
         return false;
     double drawn, pixels = pixels_of(&window->inputs);
-    int level = window_choose_level(window);
+    int before = resolution->level, level = window_choose_level(window);
+    if (level < before && window->inputs.frame > 2 && window_averages(window))
+        window_note(window, "The mean begins again", "with more pixels");
     int samples = window->inputs.samples;
     window_follow_frames(window, level);
     if (may_smooth(window) && level == 0 &&

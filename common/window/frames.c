@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "picture/passes.h"
-#include "window/condition.h"
 
 #define MEASURED    3    // frames from which the resolution is chosen
 #define SETTLED     64   // frames after which it stays
@@ -106,7 +105,5 @@ int window_choose_level(struct window *window)
         window->pace.patient = window->pace.begins = true;
         resolution->level = (int)fmax(level - PATIENCE, 0.0);
     }
-    if (resolution->level < level && window_averages(window))
-        window_note(window, "The mean begins again", "with more pixels");
     return resolution->level;
 }
