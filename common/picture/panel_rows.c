@@ -108,11 +108,11 @@ static void add_last(struct panel_rows *rows, const struct panel *panel)
         add(rows, PANEL_ROW_TEXT, text);
     add_buttons(rows, panel);
     snprintf(text, sizeof text, "%s", panel->hint != NULL ? panel->hint : "");
+    // Whether the picture is sharpened or moves, the row has about the same width.
     if (coarse && panel->sharp < 100)
-        memory_append(text, sizeof text, "%s%d %% resolution", text[0] != '\0' ? "    " : "",
-                      panel->resolution);
-    if (coarse && panel->sharp > 0 && panel->sharp < 100)
-        memory_append(text, sizeof text, ", sharpening: %d %%", panel->sharp);
+        memory_append(
+            text, sizeof text, panel->sharp > 0 ? "%ssharpening: %d %%" : "%s%d %% resolution",
+            text[0] != '\0' ? "    " : "", panel->sharp > 0 ? panel->sharp : panel->resolution);
     if (text[0] == '\0')
         return;
     if (!panel->buttons)
