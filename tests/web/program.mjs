@@ -420,6 +420,7 @@ const rows = await slow.page.evaluate(() => new Promise((done) => {
         if (looks < 10 && frames++ < 300) requestAnimationFrame(turn);
         else done({looks, black});
     };
+    window.program.call('live_set', 'focalLength', 0, 1.9); // on a busy machine, the first picture may be sharp by now
     requestAnimationFrame(turn);
 }));
 check('while rows are sharpened, the other rows show the coarse picture', rows.looks === 10 && rows.black === 0 && (await state(slow.page)).divisor > 1, rows);
