@@ -326,7 +326,9 @@ static float add_rows(struct panel_rows *rows, const struct panel *panel, float 
     struct panel_row *status = add(rows, PANEL_ROW_STATUS, text);
     if (panel->rows != NULL)
         snprintf(status->cell[1], PANEL_CELL, "%s", panel->views ? "▾" : "▸");
-    status_text(panel, true, true, status->cell[PANEL_WIDEST]);
+    status_text(panel, true, true, text);
+    if (in_steps(overlay_width(text) + MARK) <= limit)
+        snprintf(status->cell[PANEL_WIDEST], PANEL_CELL, "%s", text);
     add_views(rows, panel);
     marches_text(panel, text);
     if (text[0] != '\0' && in_steps(overlay_width(text)) <= limit)
