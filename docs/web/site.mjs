@@ -174,7 +174,7 @@ function write(page, pages) {
         fonts: /<math/.test(page.body) ? '\n<link rel="preload" href="fonts/formula.woff2" as="font" type="font/woff2" crossorigin>' : '',
         title: escaped(page.address === 'index.html' ? TITLE : `${page.title} · ${TITLE}`),
         description: escaped(words.length > 155 ? `${words.slice(0, words.lastIndexOf(' ', 155))} …` : words),
-        preview: ADDRESS === '/' ? '' : `\n<meta property="og:title" content="${escaped(page.title)}">\n<meta property="og:image" content="${escaped(ADDRESS + shown)}">`,
+        preview: ADDRESS === '/' ? '' : `\n<meta property="og:title" content="${escaped(page.title)}">\n<meta property="og:type" content="article">\n<meta property="og:url" content="${escaped(ADDRESS + page.address)}">\n<meta property="og:image" content="${escaped(ADDRESS + shown)}">`,
         head: (sheets ? `\n<link rel="stylesheet" href="sheet.css">\n<script src="${script}" defer></script>${partsOf(page.body, sheets).map((part) => `\n<script src="${part}" defer></script>`).join('')}\n<script src="sheet.js" defer></script>` : '') + (!alive ? '' : '\n<link rel="stylesheet" href="live.css">\n<script type="module" src="live.js"></script>' + (page.address === 'play.html' ? '\n<script type="module" src="play.js"></script>' : '')) + (page.body.includes('class="progress"') ? '\n<script src="progress.js" defer></script>' : ''),
         answers: ['guess', 'question'].filter((name) => page.body.includes(`class="${name}"`)).map((name) => `<script src="${name}.js" defer></script>\n`).join(''),
         menu: list ? '<button type="button" class="menu at" popovertarget="sections">Sections</button>\n' : '',

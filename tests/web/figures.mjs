@@ -55,19 +55,22 @@ await Promise.all(Array.from({length: LANES}, work));
 // ---- Figures as single files ----
 
 if (!process.argv[2]) {
-    const folder = 'build/web-test/figures', {page, said} = await blankPage(browser), asked = [], wrong = [], sizes = [];
+    const folder = 'build/web-test/figures', {page, said} = await blankPage(browser), asked = [], wrong = [], unnamed = [], sizes = [];
     fs.rmSync(folder, {recursive: true, force: true});
     fs.mkdirSync(folder, {recursive: true});
-    execFileSync('node', ['docs/web/figures_html.mjs', folder]);
+    execFileSync('node', ['docs/web/figures_html.mjs', folder], {env: {...process.env, ADDRESS: 'https://example.org/course'}});
     page.on('request', (request) => { if (!/^(data|blob):/.test(request.url())) asked.push(request.url()); });
     const files = fs.readdirSync(folder).filter((name) => /^\d/.test(name));
     for (const name of files) {
         const text = fs.readFileSync(`${folder}/${name}`);
+        const [, chapter] = /<a href="https:\/\/example\.org\/course\/(\w+\.html)" target="_top">/.exec(text) ?? [];
+        if (!chapter?.startsWith(name.slice(0, 2)) || !fs.existsSync(`${SITE}/${chapter}`)) unnamed.push(name);
         if (!text.includes('image/webp')) sizes.push(zlib.gzipSync(text, {level: 9}).length);
         await page.goto(`${pathToFileURL(folder)}/${name}`);
         await page.locator('figure-sheet.drawn').waitFor({timeout: PATIENCE}).catch(() => wrong.push(name));
     }
     check('each figure is also one file, which is drawn without a server and loads nothing', files.length > 80 && wrong.length === 0 && said.length === 0 && asked.length === files.length, files.length, wrong, said, asked.slice(0, 4));
+    check('each file of a figure links to its chapter on the course\'s site', unnamed.length === 0, unnamed.slice(0, 4));
     console.log(`# the largest of these files without a texture: ${(Math.max(...sizes) / 1e3).toFixed(1)} KB compressed`);
     check('a file of a figure without textures has at most 12 KB, compressed', Math.max(...sizes) <= 12e3, sizes);
     await page.close();

@@ -18,6 +18,18 @@ check('the site has at least 30 pages', top.length >= 30, top.length);
 const lacking = fs.readdirSync('docs').filter((name) => name.endsWith('.md') && name !== 'README.md' && !text.has(name.replace(/md$/, 'html')));
 check('every page of docs/ is in the site', lacking.length === 0, lacking);
 
+// ---- A site whose address is known ----
+
+const abroad = 'build/web-test/address', ADDRESS = 'https://example.org/course';
+fs.rmSync(abroad, {recursive: true, force: true});
+fs.mkdirSync(`${abroad}/fonts`, {recursive: true});
+execFileSync('node', ['docs/web/site.mjs', abroad, 'docs/00_first_scene.md'], {env: {...process.env, ADDRESS}});
+const shown = fs.readFileSync(`${abroad}/00_first_scene.html`, 'utf8'), preview = (html, name) => plain(new RegExp(`<meta property="og:${name}" content="([^"]*)">`).exec(html)?.[1] ?? '');
+const pictured = preview(shown, 'image');
+check('a link to a page is previewed with the page\'s title and a picture that is in the site', preview(shown, 'title').includes('A first scene') && preview(shown, 'url') === `${ADDRESS}/00_first_scene.html` &&
+    pictured.startsWith(`${ADDRESS}/pictures/00_first_scene`) && files.has(pictured.slice(ADDRESS.length + 1)), pictured, preview(shown, 'url'));
+check('without an address there is no preview, because it would need whole addresses', !text.get('00_first_scene.html').includes('og:'));
+
 // ---- Links and loaded files ----
 
 const ids = new Map([...text].map(([name, html]) => [name, new Set([...html.matchAll(/\sid="([^"]*)"/g)].map((match) => plain(match[1])))]));
