@@ -1,5 +1,5 @@
 // Inside or outside: drag the point, and the corner at the mouth of the spiral. The half-line from the point to the
-// right crosses the outline; if the number of crossings, written at the point, is odd, the point is inside. The pale
+// right crosses the outline; if the number of crossings, written at the point, is odd, the point is inside. The
 // number at a corner says how many sides count when the half-line passes through the corner: those that have their
 // lower end there.
 #include "figure.glsl"
@@ -58,7 +58,7 @@ vec3 rayColour(Ray ray)
         from = to;
     }
     bool inside = crossings % 2 == 1;
-    number(p, label, counted, 0, PALE);
+    number(p, label, counted, 0, INK);
     dot2(p, point, 9.0, inside ? ORANGE : BLUE);
     number(p, point + vec2(0.0, 0.1), float(crossings), 0, inside ? ORANGE : BLUE); // # crossing(s)
     return sheetColour;

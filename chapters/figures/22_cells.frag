@@ -37,10 +37,10 @@ vec3 rayColour(Ray ray)
     float reach = 0.5 * sqrt(2.0) * side + MARGIN, d = sceneDistance(vec3(p, 0.0));
     if (listAt(p, centre, reach).y > 0.0)
         fill(-1.0, SKY, 0.5);
+    vec2 line = abs(p - side * floor(p / side + 0.5));
+    fill(min(line.x, line.y) - 0.5 * penWidth(1.0), PALE, 0.5);
     fill(d, SAND, 1.0);
     stroke(d, 2.0, ORANGE);
-    vec2 line = abs(p - side * floor(p / side + 0.5));
-    stroke(min(line.x, line.y), 1.0, PALE);
 
     float t = 0.0, spots = 1e6, value = 1.0, parts = 0.0, all = 0.0;
     for (int i = 0; i < 99 && t < 3.6 && value > 0.003; i++) {
