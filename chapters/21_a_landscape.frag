@@ -25,7 +25,7 @@ uniform sampler2D cloudsStorm; // "clouds_storm.png" linear repeat: panorama of 
 uniform sampler2D cloudsHigh;  // "clouds_high.png" linear repeat: a layer from below
 
 uniform float timeOfDay;      // 18.4 in [0, 24] step 0.2, hour of the day: solar time at the start
-uniform float hoursPerSecond; // 0.1 in [0, 4] step 0.05, hours per second: speed of the time of day
+uniform float hoursPerSecond; // 0.05 in [0, 4] step 0.05, hours per second: speed of the time of day
 uniform float declination;    // 10 in [-23, 23] step 1, degrees: declination of the sun
 uniform float weather;        // 1 in [0.5, 1] step 0.05: 1 fair, 0.5 bad
 uniform float moonAge;        // 14.77 in [0, 29.53] step 1, days: time since new moon; 14.77 is full moon
