@@ -374,6 +374,8 @@ static bool show(struct lecture *lecture, bool at_last)
 {
     struct scene *scene = &lecture->scene[lecture->at];
     watch_clear(&lecture->failed);
+    if (lecture->window != NULL && !is_compiled(scene) && alike_of(lecture, scene) == NULL)
+        window_announce(lecture->window, scene->run.title);
     if (!compile_with(lecture, scene))
         return false;
     scene->start = run_window_start(&scene->run);

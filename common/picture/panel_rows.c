@@ -59,10 +59,16 @@ static void status_text(const struct panel *panel, bool rated, bool paused, char
     }
 }
 
+// True if another view can be shown: one that an earlier version of the shader had can be left.
+static bool has_views(const struct panel *panel)
+{
+    return panel->renderer->fragment.marches || panel->renderer->view != VIEW_PICTURE;
+}
+
 // Add the list of views, with the current one selected.
 static void add_views(struct panel_rows *rows, const struct panel *panel)
 {
-    for (int i = 0; panel->views && i < SHADER_VIEW_COUNT; i++) {
+    for (int i = 0; panel->views && has_views(panel) && i < SHADER_VIEW_COUNT; i++) {
         struct panel_row *row = add(rows, PANEL_ROW_VIEW, shader_view_name((enum shader_view)i));
         row->part = i;
         row->selected = i == (int)panel->renderer->view;
@@ -138,8 +144,8 @@ static void detail_text(const struct parameter *parameter, char text[PANEL_CELL]
 }
 
 // Add the components of a vector.
-static void add_parts(struct panel_rows *rows, const struct parameter *parameter, int index,
-                      bool selected)
+static void add_parts(struct panel_rows *rows, const struct panel *panel,
+                      const struct parameter *parameter, int index, bool selected)
 {
     const char *names = parameter_is_colour(parameter) ? "rgba" : "xyzw";
     for (int k = 0; k < parameter->components && parameter->components > 1; k++) {
@@ -149,6 +155,7 @@ static void add_parts(struct panel_rows *rows, const struct parameter *parameter
         row->parameter = index;
         row->part = k;
         row->selected = selected;
+        row->current = selected && k == panel->selected_part;
         row->fraction = parameter_fraction(parameter, k);
     }
 }
@@ -166,6 +173,7 @@ static void add_parameter(struct panel_rows *rows, const struct panel *panel, in
     fill_cells(panel, parameter, row->cell);
     row->parameter = index;
     row->selected = parameter == panel->selected;
+    row->current = row->selected && (parameter->components == 1 || panel->selected_part < 0);
     row->fraction = parameter->components == 1 ? parameter_fraction(parameter, 0) : -1.0;
     if (has_swatch(panel, parameter)) {
         row->swatch = PANEL_GAP + rows->column[0] + PANEL_GAP;
@@ -175,7 +183,7 @@ static void add_parameter(struct panel_rows *rows, const struct panel *panel, in
     bool selected = row->selected;
     if (!selected && (index >= 64 || (panel->open >> index & 1) == 0))
         return;
-    add_parts(rows, parameter, index, selected);
+    add_parts(rows, panel, parameter, index, selected);
     if (!rows->ranges) {
         row = add(rows, PANEL_ROW_DETAIL, "");
         detail_text(parameter, row->cell[0]);
@@ -231,7 +239,7 @@ static void cut(struct panel_rows *rows, const struct panel *panel, int first, i
     }
     kept[room] = (struct panel_row){PANEL_ROW_MORE, .parameter = -1, .part = to, .fraction = -1.0};
     if (to < 0)
-        snprintf(kept[room].cell[0], PANEL_CELL, "%d parameter%s", parameters,
+        snprintf(kept[room].cell[0], PANEL_CELL, "%d parameter%s: no room", parameters,
                  parameters == 1 ? "" : "s");
     else
         snprintf(kept[room].cell[0], PANEL_CELL, "%d to %d of %d%s", from, to, parameters,
@@ -324,7 +332,7 @@ static float add_rows(struct panel_rows *rows, const struct panel *panel, float 
     if (in_steps(overlay_width(text) + MARK) > limit)
         status_text(panel, false, panel->paused, text);
     struct panel_row *status = add(rows, PANEL_ROW_STATUS, text);
-    if (panel->rows != NULL)
+    if (panel->rows != NULL && has_views(panel))
         snprintf(status->cell[1], PANEL_CELL, "%s", panel->views ? "▾" : "▸");
     status_text(panel, true, true, text);
     if (in_steps(overlay_width(text) + MARK) <= limit)

@@ -22,6 +22,7 @@ struct panel {
     const char *title;                // the chapter's title
     const struct renderer *renderer;  // contains the view and the parameters
     const struct parameter *selected; // the selected parameter, which the arrow keys change
+    int selected_part;                // the component that they change; -1 for all
     double rate, milliseconds;        // frames per second, and the time that one picture takes
     double time;                      // seconds
     int resolution; // the drawn picture's sides, in percent of full size; 0 means 100
@@ -95,6 +96,7 @@ struct panel_row {
     int parameter;                        // index for comparison_parameter; -1 if there is none
     int part;                             // see the kind, or a component's index; -1 for all
     bool selected;                        // part of the selected parameter, or the current view
+    bool current;                         // what the keys change
     double fraction; // position of the value in its range, 0 to 1; < 0 if nothing can be dragged
     float swatch;    // distance of a colour's swatch from the row's left; 0 if there is none
     double share[3]; // the swatch's colour, as fractions of the parameter's range

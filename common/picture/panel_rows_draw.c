@@ -55,12 +55,12 @@ static void draw_parameter(const struct panel_rows *rows, const struct panel_row
                                                                         &PEN_DIM, &PEN_DIM};
     float left = row->left + PANEL_GAP;
     draw_band(row, panel->rows != NULL, overlay);
-    if (row->selected && row->kind == PANEL_ROW_PARAMETER)
+    if (row->current)
         overlay_text(overlay, row->left, row->top, ">", PEN_BRIGHT);
     for (int k = 0; k < (rows->ranges ? PANEL_COLUMNS : 2); k++) {
         float beside = k == 1 && row->swatch > 0.0f ? PANEL_SWATCH + 4.0f : 0.0f;
         overlay_text(overlay, left + beside, row->top, row->cell[k],
-                     row->selected ? PEN_BRIGHT : *colours[k]);
+                     row->current ? PEN_BRIGHT : *colours[k]);
         left += rows->column[k] + (rows->column[k] > 0.0f ? PANEL_GAP : 0.0f);
     }
     if (row->swatch > 0.0f)

@@ -31,11 +31,22 @@ int probe_rows(const struct probe *probe)
     return probe->steps < PROBE_STEPS ? probe->steps : PROBE_STEPS;
 }
 
+// True if the last step was not near enough for a hit. A ground, or the top of a table, may be
+// found by a formula instead.
+static bool ends_far(const struct probe *probe)
+{
+    const struct probe_step *last = &probe->step[probe->steps > 0 ? probe->steps - 1 : 0];
+    return probe->steps <= PROBE_STEPS &&
+           (probe->steps == 0 ||
+            (last->threshold > 0.0f && last->distance > 1.01f * last->threshold));
+}
+
 const char *probe_outcome(const struct probe *probe)
 {
     static const char *const ends[] = {"no march", "hit", "miss: passed the far limit",
                                        "miss: the steps ran out"};
-    return ends[probe->end];
+    return probe->end == PROBE_HIT && probe->recorded && ends_far(probe) ? "hit: found by a formula"
+                                                                         : ends[probe->end];
 }
 
 static void print_march(const struct probe *probe, FILE *file)

@@ -89,9 +89,14 @@ static void select_next(struct window *window, int by)
     while (comparison_parameter(renderer, index) != parameter)
         index++;
     // The selection moves by one row even with Shift, because a jump of ten rows would be
-    // confusing.
-    window_select(window,
-                  comparison_parameter(renderer, (index + (by > 0 ? 1 : count - 1)) % count));
+    // confusing. The components of a vector are rows below the vector's own.
+    int part = window_selected_part(window) + (by > 0 ? 1 : -1);
+    int parts = parameter->components > 1 ? parameter->components : 0;
+    if (part < -1 || part >= parts) {
+        parameter = comparison_parameter(renderer, (index + (by > 0 ? 1 : count - 1)) % count);
+        part = by < 0 && parameter->components > 1 ? parameter->components - 1 : -1;
+    }
+    window_select(window, parameter, part);
 }
 
 static void change(struct window *window, int presses)
@@ -99,7 +104,9 @@ static void change(struct window *window, int presses)
     struct parameter *parameter = window_selected(window);
     if (window_nudge_handle(window, presses, 0) || parameter == NULL)
         return;
-    parameter_change(parameter, presses);
+    struct parameter next = *parameter;
+    parameter_change(&next, presses);
+    window_copy_parts(parameter, next.value, window_selected_part(window));
     window_parameter_changed(window);
 }
 
@@ -108,7 +115,7 @@ static void reset(struct window *window)
     struct parameter *parameter = window_selected(window);
     if (parameter == NULL)
         return;
-    parameter_reset(parameter);
+    window_copy_parts(parameter, parameter->initial, window_selected_part(window));
     window_parameter_changed(window);
 }
 
@@ -159,6 +166,8 @@ static void change_scene(struct window *window, int by)
     int to = window->start->scene + by;
     if (window_has_scenes(window))
         window->asked.scenes = by;
+    else
+        window_note(window, "This window shows one chapter", "make run shows all of them");
     if (course != NULL && (to < 0 || to >= course->count))
         window_note(window, to < 0 ? "This is the first chapter" : "This is the last chapter",
                     "Home shows all chapters");
@@ -172,7 +181,7 @@ static void turn_page(struct window *window, int by)
 
 static void step_by_page(struct window *window, int by)
 {
-    if (!window_has_scenes(window) || goes_on(window, by))
+    if (goes_on(window, by))
         window_step(window, by);
 }
 
@@ -210,7 +219,7 @@ static void show_side(struct window *window, int both)
 const struct key_row window_keys[] = {
     {.label = "Page Up Page Down", .does = "chapter or scene", .condition = KEY_WITH_SCENES,
      .meaning = "in the course or in a lecture, go to the chapter or the scene before or to the next one; if "
-                "a scene began with the steps of a ray, first to its next step. Elsewhere the same as Q and E",
+                "a scene began with the steps of a ray, first to its next step",
      .binding = {{GLFW_KEY_PAGE_DOWN, .change = turn_page, .amount = 1, .shifted = 1},
                  {GLFW_KEY_PAGE_UP, .change = turn_page, .amount = -1, .shifted = -1},
                  {GLFW_KEY_PAGE_DOWN, .change = step_by_page, .amount = 1, .shifted = 1, .repeats = true},
@@ -264,7 +273,7 @@ const struct key_row window_keys[] = {
      .meaning = "switch to another view, also on the number pad:" SHADER_VIEWS(VIEW_WORD),
      .binding = {{GLFW_KEY_1, .change = window_show_view, .count = SHADER_VIEW_COUNT}}},
     {.label = "↑ ↓", .does = "select", .condition = KEY_WITH_PARAMETERS,
-     .meaning = "select a parameter, which the overlay and the title bar show",
+     .meaning = "select a parameter or one component of a vector; the overlay and the title bar show it",
      .binding = {{GLFW_KEY_UP, .change = select_next, .amount = -1, .shifted = -10, .repeats = true},
                  {GLFW_KEY_DOWN, .change = select_next, .amount = 1, .shifted = 10, .repeats = true}}},
     {.label = "← →", .does = "change", .condition = KEY_WITH_PARAMETERS,
@@ -379,9 +388,9 @@ static void act(struct window *window, struct window_event *event)
         window_field_type(window, event->amount);
     else if (!window_pointer_input(window, event)) {
         window_explain_key(window, event->kind == EVENT_MOVE ? KEY_WITH_CAMERA : KEY_WITH_LENS);
-        if (event->kind == EVENT_MOVE)
+        if (event->kind == EVENT_MOVE && window_key_acts(window, KEY_WITH_CAMERA))
             move(window, event->movement);
-        else
+        else if (event->kind == EVENT_WHEEL)
             window_zoom(window, event->movement[0]);
         window->moved = window->dirty = true;
         window->title.due = event->kind == EVENT_MOVE ? window->title.due : 0.0;

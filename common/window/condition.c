@@ -33,6 +33,7 @@ void window_pause(struct window *window)
 {
     if (window->paused || window_uses_time(window))
         window->paused = !window->paused;
+    window->pace.refines = window->paused && window_averages(window);
 }
 
 bool window_has_contents(const struct window *window)
@@ -62,8 +63,9 @@ bool window_key_acts(struct window *window, enum key_condition condition)
     switch (condition) {
     case KEY_ALWAYS:
         return true;
-    case KEY_WITH_CAMERA:
-        return reads(window->renderer, INPUT_EYE, INPUT_FORWARD);
+    case KEY_WITH_CAMERA: // a slice or a plot shows the selected ray, wherever the camera is
+        return reads(window->renderer, INPUT_EYE, INPUT_FORWARD) &&
+               !(shader_shows_ray(window->renderer->view) && window->inputs.pixel[0] >= 0);
     case KEY_WITH_LENS:
         return reads(window->renderer, INPUT_FOCAL, INPUT_FOCAL);
     case KEY_WITH_MARCH:
@@ -108,13 +110,16 @@ void window_explain_key(struct window *window, enum key_condition condition)
         [KEY_WITH_PROJECTIONS] = "this shader has one projection",
         [KEY_WITH_COMPARISON] = "there is one picture: --compare shows two",
         [KEY_IN_LECTURE] = NULL};
-    bool flat = condition == KEY_WITH_MARCH && window->renderer->fragment.dialect == DIALECT_COURSE;
-    if (why[condition] == NULL || (window->panel.told & 1U << condition) != 0 ||
+    const char *words = why[condition];
+    if (condition == KEY_WITH_MARCH && window->renderer->fragment.dialect == DIALECT_COURSE)
+        words = "no ray marches in this picture";
+    if (condition == KEY_WITH_CAMERA && shader_shows_ray(window->renderer->view))
+        words = "this view shows the ray, not what the camera sees: 1 shows the picture";
+    if (words == NULL || (window->panel.told & 1U << condition) != 0 ||
         window_key_acts(window, condition))
         return;
     window->panel.told |= 1U << condition;
-    window_note(window, "This does nothing here",
-                flat ? "no ray marches in this picture" : why[condition]);
+    window_note(window, "This does nothing here", words);
 }
 
 void window_note(struct window *window, const char *heading, const char *words)

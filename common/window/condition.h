@@ -28,7 +28,8 @@ enum key_condition {
 // True if the picture on the screen depends on the time, or on frames that are kept.
 bool window_uses_time(const struct window *window);
 
-// Pause a picture that depends on the time, or resume it. No other picture is paused.
+// Pause a picture that depends on the time, or resume it. No other picture is paused. In a mean of
+// frames nothing moves, so a pause makes it finer instead of stopping it.
 void window_pause(struct window *window);
 
 // True if the window's scenes have contents, as those of the course do.

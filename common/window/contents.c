@@ -9,6 +9,7 @@
 #include "picture/image.h"
 #include "picture/pen.h"
 #include "window/condition.h"
+#include "window/panel_input.h"
 #include "window/pointer.h"
 
 #define ACROSS  8.0f      // between two pictures in a row, units
@@ -217,6 +218,7 @@ bool window_contents_input(struct window *window, struct window_event *event)
         return press(window, event->amount, layout.columns);
     if (event->kind == EVENT_HOVER || event->kind == EVENT_PRESS || event->kind == EVENT_RELEASE) {
         window_pointer_locate(window, event);
+        window_panel_hover(window, event);
         int item = item_at(&layout, count, event->unit);
         if (item >= 0)
             window->contents.chosen = item;

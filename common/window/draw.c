@@ -102,6 +102,7 @@ static void fill_overlay(struct window *window)
         .title = name_of(window),
         .renderer = window->renderer,
         .selected = window_selected(window),
+        .selected_part = window_selected_part(window),
         .rate = rests(window) ? 0.0 : window->panel.figures[0],
         .milliseconds = window->panel.figures[1],
         .timed = window_uses_time(window),

@@ -89,8 +89,8 @@ void window_follow_frames(struct window *window, int level)
 }
 
 // As the cost of few pixels says little about that of many, a finer level is approached in steps. A
-// mean that has become calm while nobody touched anything is looked at: it begins again with more
-// pixels, and each frame may take longer.
+// mean that has become calm while nobody touched anything, or that is paused, is looked at: it
+// begins again with more pixels, and each frame may take longer.
 int window_choose_level(struct window *window)
 {
     struct resolution *resolution = &window->pace.resolution, other = *resolution;
@@ -101,7 +101,8 @@ int window_choose_level(struct window *window)
         return resolution_choose(resolution, pixels);
     if (!patient && frame < SETTLED && resolution_choose(&other, pixels) <= level - MUCH_FINER)
         resolution->level = (int)fmax(other.level, level - 2 * MUCH_FINER);
-    else if (!patient && frame == CALM && level > 0 && window_averages(window)) {
+    else if (!patient && (frame == CALM || window->pace.refines) && level > 0 &&
+             window_averages(window)) {
         window->pace.patient = window->pace.begins = true;
         resolution->level = (int)fmax(level - PATIENCE, 0.0);
     }

@@ -47,7 +47,7 @@ static void focus(struct window *window, int handle)
     window->dirty |= handle != window->handles.focused;
     window->handles.focused = handle;
     if (handle >= 0)
-        window_select(window, window->handles.item[handle].parameter);
+        window_select(window, window->handles.item[handle].parameter, -1);
 }
 
 bool window_handle_claims(struct window *window, const struct window_event *press)

@@ -46,11 +46,11 @@ static enum panel_grab grab_of(const struct window *window, const struct panel_r
     if (row != NULL && row->kind == PANEL_ROW_TITLE)
         return panel_row_is_mark(row, x) ? GRAB_MARK : GRAB_TITLE;
     if (row != NULL && row->kind == PANEL_ROW_STATUS)
-        return GRAB_STATUS;
+        return row->cell[1][0] != '\0' ? GRAB_STATUS : GRAB_NOTHING;
     if (row != NULL && row->kind == PANEL_ROW_VIEW)
         return GRAB_VIEW;
     if (row != NULL && row->kind == PANEL_ROW_MORE)
-        return GRAB_MORE;
+        return row->part >= 0 ? GRAB_MORE : GRAB_NOTHING;
     if (row != NULL && panel_row_button(row, x) >= 0)
         return GRAB_BUTTON;
     if (parameter == NULL)
@@ -95,7 +95,7 @@ static void press(struct window *window, const struct window_event *event)
     keep_open(window, window_selected(window));
     window->grab.part = row->part;
     window->grab.width = row->width;
-    window_select(window, parameter);
+    window_select(window, parameter, row->part);
     for (int k = 0; k < parameter->components; k++)
         window->grab.fraction[k] = parameter_fraction(parameter, k);
 }
@@ -117,6 +117,7 @@ static void drag(struct window *window, const struct window_event *event)
         window->grab.fraction[k] += right / (double)window->grab.width;
         parameter_put(parameter, k, window->grab.fraction[k]);
     }
+    window->panel.dragged = true;
     window_parameter_changed(window);
 }
 
@@ -141,7 +142,7 @@ static void turn_list(struct window *window, int last, int by)
     int count = comparison_parameter_count(window->renderer), from = window->panel.rows.from;
     int next = by < 0 ? from - 1 : last + (last - from) - 1;
     next = by > 0 && last == count ? 0 : next >= count ? count - 1 : next < 0 ? 0 : next;
-    window_select(window, comparison_parameter(window->renderer, next));
+    window_select(window, comparison_parameter(window->renderer, next), -1);
 }
 
 // Handle a click on anything but the parameters. A click on the mark of a folded panel unfolds the
@@ -173,8 +174,7 @@ static void click(struct window *window)
     if (window->grab.what < GRAB_SWATCH || parameter == NULL)
         return;
     if (resets)
-        memcpy(parameter->value + first, parameter->initial + first,
-               (size_t)(end - first) * sizeof *parameter->value);
+        window_copy_parts(parameter, parameter->initial, window->grab.part);
     else if (window->grab.what == GRAB_SWATCH)
         window_picker_open(window);
     else if (window->grab.what == GRAB_SWITCH)
@@ -217,9 +217,7 @@ bool window_panel_wheel(struct window *window, const struct window_event *event)
         return true;
     struct parameter next = *parameter;
     parameter_change(&next, parameter->type == PARAMETER_BOOL ? 1 : presses);
-    for (int k = 0; k < parameter->components; k++)
-        if (row->part < 0 || row->part == k)
-            parameter->value[k] = next.value[k];
+    window_copy_parts(parameter, next.value, row->part);
     window_parameter_changed(window);
     window_begin_hour(window, parameter); // which need not be the selected one
     return true;
@@ -291,7 +289,9 @@ void window_panel_fill(struct window *window, struct panel *panel, char tip[512]
     panel->table = &window->panel.table;
     panel->tip = tip;
     memcpy(panel->tip_at, window->grab.at, sizeof panel->tip_at);
-    snprintf(tip, 512, "%s", shown ? below->meaning : "");
+    bool says = shown && !window->panel.dragged && !is_switch(below);
+    snprintf(tip, 512, "%s%s", shown ? below->meaning : "",
+             says ? " (drag: change, double click: type)" : "");
     window_field_fill(window, panel, tip);
     window_picker_fill(window, panel);
 }

@@ -9,6 +9,7 @@
 
 #include "picture/comparison.h"
 #include "window/colour_picker.h"
+#include "window/condition.h"
 #include "window/field.h"
 #include "window/handle.h"
 #include "window/panel_input.h"
@@ -38,9 +39,21 @@ void window_pointer_locate(const struct window *window, struct window_event *eve
 
 // ---- The picture ----
 
+// True if the picture's program reads the pointer's position.
+static bool reads_pointer(const struct window *window)
+{
+    const struct renderer *renderer = window->renderer;
+    return inputs_reads(renderer->gl, renderer->program[renderer->view], &renderer->fragment,
+                        INPUT_MOUSE, INPUT_POINTER_SHARE);
+}
+
 // Moving the pointer to the right, dragging or captured, turns the view to the right.
 static void look_around(struct window *window, const double movement[3])
 {
+    if (!reads_pointer(window))
+        window_explain_key(window, KEY_WITH_CAMERA);
+    if (!window_key_acts(window, KEY_WITH_CAMERA))
+        return;
     camera_turn(&window->inputs.camera, DEGREES * (float)movement[0],
                 -DEGREES * (float)movement[1]);
     window->moved = window->dirty = true;
@@ -66,7 +79,6 @@ static void picture_input(struct window *window, const struct window_event *even
 // the shader reads iMouse, a change causes a frame to be drawn.
 static void update_mouse(struct window *window)
 {
-    const struct renderer *renderer = window->renderer;
     bool pressed = window->pointer.pressed, down = window->pointer.owner == OWNER_PICTURE;
     float *mouse = window->inputs.mouse;
     float now[4] = {mouse[0], mouse[1], fabsf(mouse[2]), fabsf(mouse[3])};
@@ -84,10 +96,7 @@ static void update_mouse(struct window *window)
         mouse[i] = now[i];
     }
     window->pointer.pressed = false;
-    GLuint program = renderer->program[renderer->view];
-    if (changed &&
-        inputs_reads(renderer->gl, program, &renderer->fragment, INPUT_MOUSE, INPUT_POINTER_SHARE))
-        window->stale = true;
+    window->stale |= changed && reads_pointer(window);
 }
 
 // ---- The divider of a comparison ----

@@ -1,9 +1,11 @@
 #include "window/screenshot.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "picture/image.h"
 #include "picture/comparison.h"
+#include "memory.h"
 #include "platform.h"
 #include "report.h"
 #include "window/condition.h"
@@ -58,6 +60,10 @@ void window_screenshot(struct window *window)
     if (drawn && find_name(window, path) && image_write_png(&image, path)) {
         report_result("%s: written, %dx%d\n", path, image.width, image.height);
         fflush(stdout);
+        if (small)
+            memory_append(path, sizeof path,
+                          ", %d %% of the window's width: so its frames are kept",
+                          (int)round(100.0 * image.width / window->inputs.width));
         window_note(window, "Screenshot", path);
     }
     image_free(&image);

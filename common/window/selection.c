@@ -17,9 +17,24 @@ struct parameter *window_selected(const struct window *window)
     return comparison_parameter(renderer, 0);
 }
 
-void window_select(struct window *window, const struct parameter *parameter)
+int window_selected_part(const struct window *window)
+{
+    const struct parameter *parameter = window_selected(window);
+    bool vector = parameter != NULL && parameter->components > 1;
+    return vector && window->part < parameter->components ? window->part : -1;
+}
+
+void window_copy_parts(struct parameter *parameter, const double value[4], int part)
+{
+    for (int k = 0; k < parameter->components; k++)
+        if (part < 0 || part == k)
+            parameter->value[k] = value[k];
+}
+
+void window_select(struct window *window, const struct parameter *parameter, int part)
 {
     snprintf(window->parameter, sizeof window->parameter, "%s", parameter->name);
+    window->part = part;
     window->second = comparison_parameter_side(window->renderer, parameter) == 1;
     window->dirty = true;
     window->title.due = 0.0;

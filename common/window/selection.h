@@ -9,8 +9,16 @@
 // if the shader has none.
 struct parameter *window_selected(const struct window *window);
 
+// Return the selected component of the selected parameter, or -1 for all.
+int window_selected_part(const struct window *window);
+
 // Select a parameter.
-void window_select(struct window *window, const struct parameter *parameter);
+//   part  one of its components; -1 for all
+void window_select(struct window *window, const struct parameter *parameter, int part);
+
+// Copy the values of a parameter's components.
+//   part  one of them; -1 for all
+void window_copy_parts(struct parameter *parameter, const double value[4], int part);
 
 // Return the selected parameter, and the range of its components that the last press on the panel
 // grabbed: from *first up to, but not including, *end. Returns NULL if the shader has no such

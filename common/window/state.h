@@ -58,6 +58,7 @@ struct window {
     struct renderer_inputs inputs; // inputs of the next picture
     char opened[256];              // name of the shader that was dropped; "" if there is none
     char parameter[64];            // name of the selected parameter
+    int part;                      // the selected component of a vector; -1 for all
     bool second;                   // the selected parameter belongs to the second picture
     struct {
         enum pointer_owner owner;
@@ -101,6 +102,7 @@ struct window {
         struct resolution resolution;
         bool patient; // kept frames are drawn finer, and so more slowly, than they should be
         bool begins;  // they are to begin again for that reason
+        bool refines; // a paused mean goes on, finer, because nothing in it moves
     } pace;
     // At rest, a picture that was drawn at a lower resolution is sharpened.
     struct {
@@ -131,6 +133,7 @@ struct window {
         const char *note_heading; // the line above the note
         double note_ends;         // when it disappears
         unsigned told;            // the notes that have been shown: a bit for each key_condition
+        bool dragged;             // a number has been dragged, so tooltips no longer say how
         char error[4096];         // the error that the panel shows; "" if there is none
         struct panel_key keys[WINDOW_KEYS];
         int key_count;

@@ -164,7 +164,7 @@ static bool turn(struct window *window)
     window->moved = false;
     if (!window->has_keyboard && glfwGetWindowAttrib(window->handle, GLFW_FOCUSED) != 0)
         window->has_keyboard = window->dirty = true;
-    if (!window->paused && !window->shooting) {
+    if ((!window->paused || window->pace.refines) && !window->shooting) {
         bool keeps = window_keeps(window);
         window->inputs.time += keeps ? 0.0 : now - window->pace.turn;
         window->moved |= keeps ? window_next_frame(window) : window_uses_time(window);
@@ -241,6 +241,21 @@ static bool makes_room(const struct window *window)
     return window->panel.room == ROOM_MOVED || window->panel.room == ROOM_COLLAPSED;
 }
 
+// The inputs with which a scene begins in the window.
+static struct renderer_inputs inputs_of(const struct window *window,
+                                        const struct window_start *start)
+{
+    return (struct renderer_inputs){.width = window->inputs.width,
+                                    .height = window->inputs.height,
+                                    .camera = start->camera,
+                                    .begin = start->time,
+                                    .time = start->time,
+                                    .samples = start->samples,
+                                    .strokes = start->strokes,
+                                    .pixel = {-1, -1},
+                                    .zoom = 1.0f};
+}
+
 void window_show(struct window *window, const struct window_start *start, bool at_last)
 {
     struct window *fresh = memory_zeros(1, sizeof *fresh);
@@ -250,15 +265,7 @@ void window_show(struct window *window, const struct window_start *start, bool a
         .renderer = &start->picture[0].renderer,
         .start = start,
         .input = window->input,
-        .inputs = {.width = window->inputs.width,
-                   .height = window->inputs.height,
-                   .camera = start->camera,
-                   .begin = start->time,
-                   .time = start->time,
-                   .samples = start->samples,
-                   .strokes = start->strokes,
-                   .pixel = {-1, -1},
-                   .zoom = 1.0f},
+        .inputs = inputs_of(window, start),
         .paused = start->paused,
         .opening = start->shown > 0 && at_last ? PROBE_STEPS : start->shown,
         .has_keyboard = window->has_keyboard,
@@ -270,10 +277,12 @@ void window_show(struct window *window, const struct window_start *start, bool a
                   .right = window->panel.right && !makes_room(window),
                   .rolled = window->panel.rolled && window->panel.room != ROOM_COLLAPSED,
                   .folded = lecture && !start->overlay_kept,
-                  .captioned = true},
+                  .captioned = true,
+                  .dragged = window->panel.dragged},
         .grab = {.hovered = -1, .at = {window->grab.at[0], window->grab.at[1]}},
         .shape = window->shape,
         .contents = {.of = window->contents.of, .sheet = window->contents.sheet},
+        .part = -1,
         .handles = {.focused = -1},
         .ray = {.probe = window->ray.probe},
         .stale = true,
@@ -340,6 +349,12 @@ bool window_idles(const struct window *window)
 bool window_looks(const struct window *window)
 {
     return window->pace.looks;
+}
+
+void window_announce(struct window *window, const char *title)
+{
+    window_note(window, "Opening", title);
+    window->failed |= !window_draw(window, glfwGetTime());
 }
 
 void window_warn(struct window *window, const char *text)

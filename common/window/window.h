@@ -37,6 +37,10 @@ bool window_idles(const struct window *window);
 // the time at which a caller checks its own files (watch_look).
 bool window_looks(const struct window *window);
 
+// Say at once which scene is being opened, before work for which the window stands still.
+//   title  of the scene
+void window_announce(struct window *window, const char *title);
+
 // Show a message in the overlay, until the view or the scene changes or the shaders are reloaded.
 void window_warn(struct window *window, const char *text);
 

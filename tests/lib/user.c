@@ -311,6 +311,8 @@ void glfwInitHint(int hint, int value)
 void glfwSwapBuffers(GLFWwindow *window)
 {
     user.frames++;
+    if (user.look != NULL)
+        user.look();
 }
 
 void glfwGetWindowSize(GLFWwindow *window, int *width, int *height)

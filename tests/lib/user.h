@@ -24,6 +24,7 @@ struct user {
     int position[2];        // position of the window on the desktop of both monitors
     bool unfocused, hidden; // the window lacks the keyboard focus; it is iconified
     void (*wait)(void);     // called at each wait for events, if not NULL
+    void (*look)(void);     // called when a frame is shown, if not NULL
     const char *clipboard;  // text of the clipboard
     // Set by the program:
     bool open, ended, captured, full;

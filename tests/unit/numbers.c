@@ -163,6 +163,23 @@ TEST(a_probe_has_a_row_for_each_step)
     assert_string_equal(printed(file),
                         "step,t,distance,x,y,z\n# miss: the steps ran out; steps: 0; "
                         "evaluations of the scene: 346; colour: 7, 0, 255\n");
+    // A hit of which no step was near enough was found by a formula.
+    const char *formula = "hit: found by a formula";
+    other.end = PROBE_HIT;
+    assert_string_equal(probe_outcome(&other), formula);
+    other.steps = 2;
+    assert_string_equal(probe_outcome(&other), "hit"); // the threshold is unknown
+    for (int k = 0; k < 2; k++)
+        other.step[k].threshold = 0.001f;
+    assert_string_equal(probe_outcome(&other), "hit");
+    other.step[1].distance = 0.0009f;
+    assert_string_equal(probe_outcome(&other), "hit");
+    other.step[1].distance = 0.002f;
+    assert_string_equal(probe_outcome(&other), formula);
+    other.steps = PROBE_STEPS + 1; // the last step is not in the table
+    assert_string_equal(probe_outcome(&other), "hit");
+    other.end = PROBE_GAVE_UP;
+    other.steps = 0;
     other.recorded = false;
     file = system_open_scratch();
     probe_print(&other, file);

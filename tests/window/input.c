@@ -312,7 +312,10 @@ TEST_WITH(a_field_accepts_only_numbers, set_up, NULL)
 {
     struct parameter item[] = {{.name = "size", .components = 1, .maximum = 9.0, .value = {5.0}},
                                {.name = "way", .components = 2, .maximum = 9.0}};
-    struct renderer typed_into = {.gl = &gl, .parameters = {.item = item, .count = 2}};
+    struct renderer typed_into = {.gl = &gl,
+                                  .fragment = renderer.fragment,
+                                  .program[VIEW_PICTURE] = 1,
+                                  .parameters = {.item = item, .count = 2}};
     tested.renderer = &typed_into;
     tested.grab.what = GRAB_VALUE;
     tested.grab.part = -1;
@@ -362,7 +365,10 @@ TEST_WITH(a_picker_closes, set_up, NULL)
                                .maximum = 1.0,
                                .unit = "linear RGB",
                                .value = {0.5, 0.25, 0.125}};
-    struct renderer coloured = {.gl = &gl, .parameters = {.item = &colour, .count = 1}};
+    struct renderer coloured = {.gl = &gl,
+                                .fragment = renderer.fragment,
+                                .program[VIEW_PICTURE] = 1,
+                                .parameters = {.item = &colour, .count = 1}};
     tested.renderer = &coloured;
     tested.panel.overlay.scale = 1.0f;
     tested.paused = true;

@@ -168,6 +168,42 @@ SESSION_TEST(the_user_moves_the_camera)
     session_assert_shown(CHAPTER, SESSION_STILL);
 }
 
+// The components of a vector are rows that the keys select.
+SESSION_TEST(keys_change_one_component)
+{
+    const char *shader = scratch_write(
+        "vector.frag", "#include \"main.glsl\"\n#include \"camera.glsl\"\n"
+                       "uniform vec2 way; // (1, 2) in [0, 9] step 1: a way\n"
+                       "uniform float far; // 5 in [0, 9] step 1: far\n"
+                       "Ray pixelRay(vec2 screen) { return perspectiveRay(screen); }\n"
+                       "float sceneDistance(vec3 p) { return p.y; }\n"
+                       "vec3 rayColour(Ray ray) { return vec3(way, far); }\n");
+    session_open_bare(CHAPTER, "--size 64x36 --shader %s --set way=1,2", shader);
+    session_key(GLFW_KEY_DOWN); // from the focal length
+    session_key(GLFW_KEY_RIGHT);
+    session_assert_title("way = 2,3");
+    session_key(GLFW_KEY_DOWN);
+    session_key(GLFW_KEY_RIGHT);
+    session_assert_title("way = 3,3");
+    session_key(GLFW_KEY_DOWN);
+    session_key(GLFW_KEY_LEFT);
+    session_assert_title("way = 3,2");
+    session_key(GLFW_KEY_DOWN);
+    session_key(GLFW_KEY_RIGHT);
+    session_assert_title("far = 6");
+    session_key(GLFW_KEY_UP); // the last component
+    session_key(GLFW_KEY_RIGHT);
+    session_assert_title("way = 3,3");
+    session_key(GLFW_KEY_UP);
+    session_key(GLFW_KEY_DELETE);
+    session_assert_title("way = 1,3");
+    session_key(GLFW_KEY_UP);
+    session_key(GLFW_KEY_DELETE);
+    session_assert_title("way = 1,2");
+    session_key(GLFW_KEY_UP);
+    session_assert_title("focalLength = 2");
+}
+
 // A shader's cameraRoom determines where the camera stops. The command line may place the camera
 // lower.
 SESSION_TEST(the_camera_stops_at_the_ground)

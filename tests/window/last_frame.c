@@ -194,6 +194,7 @@ SESSION_TEST(a_slow_picture_keeps_its_size)
     struct image image;
     session_shoot(&image);
     assert_true(image.width < 320);
+    assert_non_null(strstr(session_window()->panel.note, "% of the window's width"));
     image_free(&image);
     session_close();
 }
@@ -233,6 +234,30 @@ SESSION_TEST(a_calm_mean_becomes_finer)
     for (int i = 0; i < 10; i++)
         session_turn();
     assert_true(session_window()->pace.resolution.level >= level - 1);
+    user.pixel_seconds = 0.0;
+    session_close();
+}
+
+// Nothing moves in a mean, so a pause lets it become finer at once, as it sharpens other pictures.
+SESSION_TEST(a_paused_mean_becomes_finer)
+{
+    scratch_write("still.frag", still);
+    user.pixel_seconds = 4e-5;
+    session_open_bare(CHAPTER, "--size 320x200 --shader %s", scratch_path("still.frag"));
+    for (int i = 0; i < 20; i++)
+        session_turn();
+    int level = session_window()->pace.resolution.level, before = frame();
+    session_key(GLFW_KEY_ESCAPE);
+    session_assert_title("(paused)");
+    for (int i = 0; i < 10; i++)
+        session_turn();
+    assert_int_equal(session_window()->pace.resolution.level, level - 6);
+    assert_true(frame() > 3 && frame() < before && kept() == frame() + 1);
+    before = frame();
+    session_key(GLFW_KEY_ESCAPE);
+    for (int i = 0; i < 10; i++)
+        session_turn();
+    assert_true(frame() > before); // the mean goes on
     user.pixel_seconds = 0.0;
     session_close();
 }

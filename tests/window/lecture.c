@@ -475,6 +475,55 @@ SESSION_TEST(the_course_goes_from_chapter_to_chapter)
     close_list();
 }
 
+static int openings; // frames that said which chapter was being opened
+
+static void count_openings(void)
+{
+    const struct window *window = lecture_window(lecture);
+    const char *heading = window->panel.note_heading;
+    openings += window->panel.note[0] != '\0' && heading != NULL && strcmp(heading, "Opening") == 0;
+}
+
+// A chapter that takes long to compile is announced, but not one that has been compiled before.
+SESSION_TEST(a_chapter_is_announced_before_it_is_compiled)
+{
+    open_course(NULL);
+    user.look = count_openings;
+    openings = 0;
+    key(GLFW_KEY_HOME, 0);
+    for (int i = 0; i < 3; i++)
+        key(GLFW_KEY_RIGHT, 0);
+    key(GLFW_KEY_ENTER, 0);
+    turns(200);
+    assert_int_equal(openings, 1);
+    assert_string_equal(lecture_window(lecture)->panel.note, "");
+    key(GLFW_KEY_PAGE_DOWN, 0); // the next one has been compiled meanwhile
+    turns(10);
+    assert_int_equal(openings, 1);
+    user.look = NULL;
+    close_list();
+}
+
+// The tooltip belongs to what is under the pointer, which has moved over the sheet of contents.
+SESSION_TEST(the_sheet_follows_the_pointer)
+{
+    open_course("01");
+    const struct window *window = lecture_window(lecture);
+    const struct panel_row *row = window->panel.rows.row;
+    while (row->kind != PANEL_ROW_PARAMETER)
+        row++;
+    double scale = (double)window->panel.overlay.scale;
+    user_point(scale * (double)(row->left + 20.0f), scale * (double)(row->top + 4.0f));
+    turns(60);
+    assert_true(window->grab.tip);
+    key(GLFW_KEY_HOME, 0);
+    user_click(40.0, 130.0, GLFW_MOUSE_BUTTON_LEFT); // the first picture of the second row
+    turns(60);
+    assert_chapter("07_repetition");
+    assert_false(window->grab.tip);
+    close_list();
+}
+
 // The sheet of 7 pictures in a window of 320 x 180 has four columns.
 SESSION_TEST(the_sheet_of_contents_opens_a_chapter)
 {

@@ -1,5 +1,6 @@
 // notes.c - tests what a window says about its keys: the line with which a program begins, the list
 // of K, and the notes of keys that do nothing here.
+#include "lib/scratch.h"
 #include "lib/session.h"
 #include "window/state.h"
 
@@ -141,6 +142,21 @@ SESSION_TEST(a_flat_figure_offers_no_steps)
     session_close();
 }
 
+SESSION_TEST(one_view_is_no_list_of_views)
+{
+    for (int i = 0; i < 2; i++) {
+        session_open(i == 0 ? CHAPTER : "00_first_scene", "--size 640x360");
+        const struct panel_row *row = session_window()->panel.rows.row;
+        while (row->kind != PANEL_ROW_STATUS)
+            row++;
+        assert_true((row->cell[1][0] != '\0') == (i == 0)); // the mark that opens the list
+        user_click((double)row->left + 20.0, (double)row->top + 4.0, GLFW_MOUSE_BUTTON_LEFT);
+        session_turn();
+        assert_true(session_window()->panel.views == (i == 0));
+        session_close();
+    }
+}
+
 // Whoever has turned away from the scene finds the key that brings it back.
 SESSION_TEST(a_moved_camera_is_brought_back)
 {
@@ -164,6 +180,59 @@ SESSION_TEST(a_moved_camera_is_brought_back)
         assert_null(strstr(hint, "camera back"));
         assert_true(session_off(0, (const int[]){160, 0, 160, 100}) <= 0.0);
     }
+    session_close();
+}
+
+SESSION_TEST(only_the_course_has_pages_to_turn)
+{
+    session_open(CHAPTER, SESSION_STILL);
+    struct window *window = session_window();
+    session_key(GLFW_KEY_PAGE_DOWN);
+    assert_non_null(strstr(window->panel.note, "make run"));
+    assert_int_equal(window->inputs.pixel[0], -1);
+    session_close();
+}
+
+SESSION_TEST(a_drag_without_a_camera_says_why)
+{
+    session_open("00_first_scene", "--size 320x200 --time 0");
+    user_drag(250, 190, -40, 0);
+    session_turn();
+    assert_non_null(strstr(session_window()->panel.note, "does not read the camera"));
+    session_close();
+    const char *shader = scratch_write(
+        "follows.frag",
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(iMouse.xy / iResolution.xy, 0, 1); }");
+    session_open("00_first_scene", "--size 320x200 --shader %s", shader);
+    user_drag(250, 190, -40, 0);
+    session_turn();
+    assert_string_equal(session_window()->panel.note, "");
+    session_close();
+}
+
+// Nobody turns a camera whose picture is not seen.
+SESSION_TEST(the_slice_of_a_ray_keeps_the_camera)
+{
+    session_open(CHAPTER, SESSION_STILL);
+    struct window *window = session_window();
+    const struct camera before = window->inputs.camera;
+    session_key(GLFW_KEY_5);
+    session_key(GLFW_KEY_E);
+    for (int i = 0; i < 2; i++) {
+        user_drag(250, 190, -40, 0);
+        session_turn();
+        assert_non_null(strstr(window->panel.note, "1 shows the picture"));
+        user_press(GLFW_KEY_W, 0);
+        session_wait(0.3);
+        user_release(GLFW_KEY_W);
+        session_turn();
+        window->panel.told = 0;
+    }
+    assert_memory_equal(&before, &window->inputs.camera, sizeof before);
+    session_key(GLFW_KEY_1);
+    user_drag(250, 190, -40, 0);
+    session_turn();
+    assert_memory_not_equal(&before, &window->inputs.camera, sizeof before);
     session_close();
 }
 

@@ -70,8 +70,8 @@ SESSION_TEST(keys_step_along_the_march)
     press_and_see(GLFW_KEY_E, RAY " --view slice --step 1");
     press_and_see(GLFW_KEY_Q, RAY " --view slice --step 0");
     press_and_see(GLFW_KEY_Q, RAY " --view slice --step 0");
-    press_and_see(GLFW_KEY_PAGE_DOWN, RAY " --view slice --step 1");
-    press_and_see(GLFW_KEY_PAGE_UP, RAY " --view slice --step 0");
+    session_key(GLFW_KEY_PAGE_DOWN); // turns the pages of the course only, as a note says
+    press_and_see(GLFW_KEY_Q, RAY " --view slice --step 0");
     user_repeat(GLFW_KEY_E, 0); // a held key repeats
     session_turn();
     session_assert_shown(CHAPTER, RAY " --view slice --step 1");
