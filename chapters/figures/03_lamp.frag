@@ -44,6 +44,8 @@ vec3 rayColour(Ray ray)
     bool lit = far > 0.0 && t >= far;
     if (far > 0.0)
         line2(p, second.origin.xy, second.origin.xy + min(t, far) * second.direction.xy, 2.5, lit ? TEAL : ORANGE);
+    if (hit.found && distance(EYE, aim) > hit.t)
+        dashes(p, at.xy, aim, 1.0, PALE); // the aim is behind what the ray meets
     arrow(p, EYE, at.xy, 2.0, INK);
     dot2(p, EYE, 10.0, INK);
     dot2(p, lamp, 16.0, ORANGE);

@@ -12,7 +12,7 @@ export class Changes {
         this.files = {}; // the files that differ from their original texts, {NAME: TEXT}
         this.brought = new Map(); // maps the name of a file that the reader has added to its original text
         this.said = part('span');
-        this.line = part('p', {className: 'live-changes', hidden: true}, this.said, ' ', stage.button('Undo all', () => this.undo(this.named)));
+        this.line = part('p', {className: 'live-changes', hidden: true}, this.said, ' ', stage.button('Reset all files', () => this.undo(this.named)));
         this.other = part('p', {className: 'live-other', hidden: true});
         this.other.setAttribute('role', 'status');
         this.replaced = part('p', {className: 'live-replaced', hidden: true});
@@ -23,7 +23,7 @@ export class Changes {
         this.download = stage.button('Download my.frag', () => this.hand());
         this.judge = stage.button('Check', () => stage.at.form.requestSubmit(), {className: 'live-judge'}); // of an exercise
         this.element = part('div', {className: 'live-editor', hidden: true}, this.place, part('div', {className: 'live-bar'}, this.judge,
-            stage.button('Reset this file', () => this.undo([this.editor.name])), stage.button('Copy a link', () => this.link()), this.download, this.saved));
+            stage.button('Undo', () => this.editor.back()), stage.button('Reset this file', () => this.undo([this.editor.name])), stage.button('Copy a link', () => this.link()), this.download, this.saved));
         this.open = stage.icon('Edit', () => this.toggle(), {className: 'live-named'});
         this.open.setAttribute('aria-expanded', 'false');
         addEventListener('pagehide', () => this.editor?.flush());
@@ -128,6 +128,7 @@ export class Changes {
         this.files[name] = text;
         let stored = edits.keep(name, text); // at once, because the reader may be leaving the page
         edits.show('');
+        document.dispatchEvent(new CustomEvent('changed', {detail: name}));
         if (text === await this.original(name).catch(() => null) && this.files[name] === text) {
             delete this.files[name];
             stored = edits.keep(name, null);

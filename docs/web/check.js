@@ -172,7 +172,12 @@ export async function check(form, stage, part, edit) {
     const verdict = place.querySelector(':scope > .live-verdict') || place.appendChild(part('div', {className: 'live-verdict'}));
     verdict.setAttribute('role', 'status');
     const say = (...words) => verdict.replaceChildren(part('p', {}, ...words));
-    form.setAttribute('aria-busy', 'true');
+    const works = (does) => { // the verdict may be below the screen, but the button that was pressed is on it
+        if (does) form.setAttribute('aria-busy', 'true');
+        else form.removeAttribute('aria-busy');
+        for (const button of [form.querySelector('[type=submit]'), stage?.changes.judge]) if (button) button.textContent = does ? 'Checking …' : 'Check';
+    };
+    works(true);
     try {
         const name = (form.dataset.exercise || '').replace('-', '_');
         const {stem} = await exercise(name);
@@ -191,6 +196,11 @@ export async function check(form, stage, part, edit) {
         const {right, words, place, rays, pictures} = await judge(name, files[own], (text) => say(text));
         say(part('strong', {textContent: right ? 'Right: ' : 'Wrong: '}), `${words}.`);
         verdict.classList.toggle('live-right', right);
+        document.addEventListener('changed', function changed({detail}) { // what is said is about the earlier text
+            if (detail !== own) return;
+            document.removeEventListener('changed', changed);
+            if (!verdict.querySelector('.live-earlier')) verdict.prepend(part('p', {className: 'live-earlier', textContent: 'Before your last change:'}));
+        });
         if (right) document.dispatchEvent(new CustomEvent('solved', {detail: name}));
         if (place) verdict.append(part('p', {}, `Your ray of pixel ${place}: ${rays[0]}`, part('br'), `The solution's ray: ${rays[1]}`));
         if (pictures) verdict.append(part('div', {className: 'live-two'}, shown(part, pictures.mine, 'Yours'), shown(part, pictures.difference, GREY)));
@@ -199,7 +209,7 @@ export async function check(form, stage, part, edit) {
     } catch (error) {
         say(`Your shader cannot be checked: ${error.message}.`);
     } finally {
-        form.removeAttribute('aria-busy');
+        works(false);
         verdict.scrollIntoView({block: 'nearest'});
     }
 }

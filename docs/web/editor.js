@@ -2,7 +2,7 @@
 // bundles this module and CodeMirror into one file, which is loaded when a reader opens the editor.
 import {EditorState} from '@codemirror/state';
 import {EditorView, keymap, lineNumbers, highlightActiveLine, highlightActiveLineGutter, drawSelection} from '@codemirror/view';
-import {defaultKeymap, history, historyKeymap} from '@codemirror/commands';
+import {defaultKeymap, history, historyKeymap, undo} from '@codemirror/commands';
 import {HighlightStyle, StreamLanguage, bracketMatching, indentUnit, syntaxHighlighting} from '@codemirror/language';
 import {searchKeymap, highlightSelectionMatches} from '@codemirror/search';
 import {lintGutter, lintKeymap, setDiagnostics} from '@codemirror/lint';
@@ -91,6 +91,12 @@ export class Editor {
         if (!this.waits) return;
         this.waits = false;
         await this.changed(this.name, this.text());
+    }
+
+    // Take back the last change, for those whose keyboard has no Ctrl+Z.
+    back() {
+        undo(this.view);
+        this.view.focus();
     }
 
     text() { return this.view.state.doc.toString(); }

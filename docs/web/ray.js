@@ -45,6 +45,9 @@ export class Ray {
         this.scroll.hidden = !probe?.recorded;
         if (chosen && this.element.classList.toggle('live-chosen', true) && !this.chosen && (this.stage.narrow.matches || !this.stage.at.isInPlace)) this.element.open = true;
         if (!chosen) this.element.classList.remove('live-chosen');
+        // On a narrow page, the steps are above the text that is edited.
+        if (chosen !== Boolean(this.chosen) && this.stage.narrow.matches && this.stage.at.matches('.live-editing'))
+            requestAnimationFrame(() => (chosen ? this.element : this.stage.changes.element).scrollIntoView({block: 'start', behavior: 'instant'}));
         this.chosen = chosen;
         this.slice.hidden = !chosen || !this.stage.narrow.matches || !probe?.recorded || ['slice', 'plot'].includes(view);
         this.title.textContent = chosen ? `Ray of pixel ${pixel.join(', ')}` : 'Ray';

@@ -20,6 +20,7 @@ export class Scrub {
         code.setAttribute('aria-description', 'The arrow keys change the number. Escape puts it back.');
         this.say();
         code.addEventListener('pointerdown', (event) => this.grab(event));
+        code.addEventListener('touchmove', (event) => { if (this.held) event.preventDefault(); }, {passive: false}); // touch-action does not apply within a line of text
         code.addEventListener('keydown', (event) => {
             const way = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, Enter: 0, ' ': 0, Escape: 0}[event.key];
             if (way === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
@@ -27,7 +28,7 @@ export class Scrub {
             const from = event.key === 'Escape' ? this.first : this.value;
             this.move(() => way === 0 ? from : this.value, ({type, minimum, maximum}) => way * Math.max(1 / 40, type === 'int' ? 1 / (maximum - minimum) : 0));
         });
-        code.addEventListener('blur', () => this.at?.classList.remove('live-afloat', 'live-aloft'));
+        code.addEventListener('blur', () => this.land());
     }
 
     say() {
@@ -39,18 +40,18 @@ export class Scrub {
     // when it moves sideways, or when it is lifted.
     grab(event) {
         if (event.button !== 0) return;
-        const {code} = this, from = this.value, {clientX, pointerType} = event, act = (x) => this.move(() => from, ({type, minimum, maximum}) => x / Math.min(WAY, type === 'int' ? ONE * (maximum - minimum) : WAY));
-        let held = pointerType === 'mouse';
+        const {code} = this, from = this.value, {clientX, clientY, pointerType} = event, act = (x) => this.move(() => from, ({type, minimum, maximum}) => x / Math.min(WAY, type === 'int' ? ONE * (maximum - minimum) : WAY));
+        this.held = pointerType === 'mouse';
         if (!document.pointerLockElement) code.setPointerCapture(event.pointerId);
         code.focus({preventScroll: true});
-        if (held) act(0);
+        if (this.held) act(0);
         const end = () => { code.onpointermove = code.onpointerup = code.onpointercancel = null; };
         code.onpointermove = (moved) => {
-            held ||= Math.abs(moved.clientX - clientX) > FEW;
-            if (held) act(moved.clientX - clientX);
+            this.held ||= Math.abs(moved.clientX - clientX) > Math.max(FEW, Math.abs(moved.clientY - clientY));
+            if (this.held) act(moved.clientX - clientX);
         };
         code.onpointerup = () => {
-            if (!held) act(0);
+            if (!this.held) act(0);
             end();
         };
         code.onpointercancel = end;
@@ -95,16 +96,23 @@ export class Scrub {
         this.keepInSight(at);
     }
 
+    land() {
+        this.at?.classList.remove('live-afloat', 'live-aloft');
+        this.watch?.disconnect();
+    }
+
     // A picture that is scrolled out of view floats over the page, away from the number, until the number loses the
-    // focus.
+    // focus or is itself scrolled out of view.
     keepInSight(at) {
-        if (this.at && this.at !== at) this.at.classList.remove('live-afloat', 'live-aloft');
+        if (this.at !== at) this.land();
         this.at = at;
         if (at.classList.contains('live-afloat')) return;
         const {top, bottom, height} = at.screen.getBoundingClientRect();
         if (top > -height / 4 && bottom < innerHeight + height / 4) return;
-        at.style.setProperty('--height', `${height}px`);
+        at.style.setProperty('--height', `${at.getBoundingClientRect().height}px`); // with what is below the picture, so that no text moves
         at.classList.add('live-afloat');
+        this.watch = new IntersectionObserver(([{isIntersecting}]) => { if (!isIntersecting) this.land(); });
+        this.watch.observe(this.code);
         at.classList.toggle('live-aloft', this.code.getBoundingClientRect().bottom > at.screen.getBoundingClientRect().top - 20);
     }
 }

@@ -67,7 +67,11 @@ export class Stage {
 
     // A button that opens or closes a fold. A closed fold is not shown, so the button then gets the focus.
     unfolds(text, {element}) {
-        const button = this.toggle(text, () => { element.open = !element.open; return element.open; }, 'live-named');
+        const button = this.toggle(text, () => {
+            element.open = !element.open;
+            if (element.open && this.at.matches('.live-editing')) element.scrollIntoView({block: 'nearest'}); // the text may be in between
+            return element.open;
+        }, 'live-named');
         element.addEventListener('toggle', () => button.setAttribute('aria-expanded', element.open));
         element.firstElementChild.addEventListener('click', () => { if (element.open) button.focus({preventScroll: true}); });
         return button;
@@ -221,7 +225,7 @@ export class Stage {
             this.note('');
             this.again?.();
         };
-        return this.changes.any ? [' Does your change contain an endless loop? ', this.button('Undo all', undo)] : [];
+        return this.changes.any ? [' Does your change contain an endless loop? ', this.button('Reset all files', undo)] : [];
     }
 
     // Move to an element; the previous one shows its poster again.
@@ -358,10 +362,16 @@ export class Stage {
     }
 
     full() {
-        const at = this.at;
+        const at = this.at, top = () => this.bar.getBoundingClientRect().top, isFull = () => document.fullscreenElement === at || at.matches('.live-wide');
+        if (!isFull()) this.barTop = top();
+        const back = () => { if (!isFull()) scrollBy({top: top() - this.barTop, behavior: 'instant'}); }; // to where the reader was
+        at.onfullscreenchange = () => requestAnimationFrame(back);
         if (document.fullscreenElement) document.exitFullscreen();
         else if (at.requestFullscreen) at.requestFullscreen();
-        else at.classList.toggle('live-wide'); // for phones without a full-screen mode
+        else {
+            at.classList.toggle('live-wide'); // for phones without a full-screen mode
+            back();
+        }
         this.canvas.focus({preventScroll: true});
     }
 

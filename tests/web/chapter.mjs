@@ -200,16 +200,16 @@ const torn = await open({}, link.slice(0, 60));
 await run(torn.page);
 check('a broken link is reported, and the chapter still runs', (await torn.page.locator('.live-notice').textContent()).includes('cannot be read'));
 await torn.context.close();
-await press(page, 'Undo all');
+await press(page, 'Reset all files');
 await page.waitForSelector('.live-changes', {state: 'hidden'});
-check('Undo all also removes the edits from the address', await page.evaluate(() => location.hash) === '');
+check('Reset all files also removes the edits from the address', await page.evaluate(() => location.hash) === '');
 await page.getByRole('button', {name: 'Restore'}).press('Enter');
 await page.waitForSelector('.live-changes:not([hidden])');
-check('Restore brings back the texts that Undo all has removed', await page.evaluate(() => JSON.stringify({...localStorage}).includes('of my own')) && await page.locator('.live-replaced').isHidden());
-await page.locator('.live-changes').getByRole('button', {name: 'Undo all'}).press('Enter');
+check('Restore brings back the texts that Reset all files has removed', await page.evaluate(() => JSON.stringify({...localStorage}).includes('of my own')) && await page.locator('.live-replaced').isHidden());
+await page.locator('.live-changes').getByRole('button', {name: 'Reset all files'}).press('Enter');
 await page.waitForSelector('.live-changes', {state: 'hidden'});
 await page.waitForFunction(() => document.activeElement.textContent === 'Restore', null, {timeout: PATIENCE / 3}).catch(() => {});
-check('after Undo all, Restore has the focus of the keyboard', await page.evaluate(() => document.activeElement.textContent) === 'Restore');
+check('after Reset all files, Restore has the focus of the keyboard', await page.evaluate(() => document.activeElement.textContent) === 'Restore');
 await press(page, 'Edit');
 
 // ---- Commands beside the text ----

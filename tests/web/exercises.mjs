@@ -29,16 +29,52 @@ const done = (page, name) => page.locator(`.contents a[href="${name}.html"] .don
 
 // ---- On a phone ----
 
+// While the text is edited, select a ray, deselect it, and look at the picture in full screen.
+async function tryRay(page) {
+    const {x, y, width, height} = await page.locator('.live-canvas').boundingBox(), top = (selector) => page.evaluate((one) => document.querySelector(one).getBoundingClientRect().top, selector);
+    await page.touchscreen.tap(x + width / 2, y + height / 2);
+    await page.waitForSelector('.live-chosen[open]');
+    await frames(page, 3);
+    const steps = await page.locator('.live-ray').boundingBox(), picture = await page.locator('.live-canvas').boundingBox();
+    check('the steps of a ray are below the picture and on the screen', steps.y >= picture.y + picture.height - 1 && steps.y < 600, steps, picture);
+    await page.getByRole('button', {name: 'Deselect'}).tap();
+    await page.waitForSelector('.live-ray:not(.live-chosen)', {state: 'attached'});
+    await frames(page, 3);
+    check('without the ray, the text is on the screen again', await top('.live-editor') >= 0 && await top('.live-editor') < 700, await top('.live-editor'));
+    const bar = await top('.live-controls > .live-bar');
+    for (const full of [true, false]) {
+        await page.getByRole('button', {name: 'Full screen'}).tap();
+        await page.waitForFunction((full) => Boolean(document.fullscreenElement) === full, full);
+        await frames(page, 6);
+    }
+    check('after full screen, the page is where it was', Math.abs(await top('.live-controls > .live-bar') - bar) < 3, await top('.live-controls > .live-bar'), bar);
+}
+
 for (const stem of ['00_first_scene', '01_normal_colouring', '03_shadows']) {
     const {page, said} = await open(`${stem}.html#exercises`, PHONE), number = stem.slice(0, 2);
     await answer(page, `${number}-1`);
-    const [words, text] = [await page.locator('.guide').boundingBox(), await page.locator('.live-editor').boundingBox()];
-    check(`${number}: the words of the exercise are above the editor`, /^1\. \(easy\)/.test(await page.locator('.guide').innerText()) && words.y < text.y && await page.locator('.guide :is(form, button, [id])').count() === 0, words, text);
+    const [words, below] = [await page.locator('.guide').boundingBox(), await page.locator('.live-editor').boundingBox()];
+    check(`${number}: the words of the exercise are above the editor`, /^1\. \(easy\)/.test(await page.locator('.guide').innerText()) && words.y < below.y && await page.locator('.guide :is(form, button, [id])').count() === 0, words, below);
     await write(page, fs.readFileSync(`chapters/solutions/${stem}_1.frag`, 'utf8'));
+    await page.evaluate(() => {
+        const judge = document.querySelector('.live-judge');
+        window.labels = [];
+        new MutationObserver(() => window.labels.push(judge.textContent)).observe(judge, {childList: true});
+    });
     await page.locator('.live-judge').tap();
     await page.waitForSelector('.live-verdict strong');
+    await page.waitForFunction(() => window.labels.length > 1);
+    check(`${number}: the button says that it is checking`, await page.evaluate(() => window.labels.join()) === 'Checking …,Check', await page.evaluate(() => window.labels));
     check(`${number}: the button below the text checks the answer, and the verdict is seen`, await page.locator('.live-verdict').innerText().then((verdict) => verdict.startsWith('Right: ')) && await seen(page, '.live-verdict'), await page.locator('.live-verdict').innerText());
     check(`${number}: the contents count the exercise`, /^1\/\d+, 1 of \d+ exercises solved$/.test(await done(page, stem)), await done(page, stem));
+    const text = page.locator('.cm-content'), before = await text.innerText();
+    await text.press('Control+End');
+    await page.keyboard.insertText('// more');
+    await page.getByText('Before your last change').waitFor();
+    check(`${number}: a verdict on an earlier text says so`, await page.locator('.live-earlier').count() === 1);
+    await page.getByRole('button', {name: 'Undo', exact: true}).tap();
+    check(`${number}: a button undoes the last change`, await text.innerText() === before, (await text.innerText()).slice(-60));
+    if (number === '03') await tryRay(page);
     await page.reload();
     await whole(page);
     check(`${number}: after a reload, the exercise is still solved`, await page.locator('.solved').count() === 1 && (await done(page, stem)).startsWith('1/'));

@@ -70,7 +70,7 @@ await page.evaluate(() => {
     window.taken.loseContext();
 });
 await page.waitForSelector('.live-notice:not([hidden])');
-check('the message about a lost context has a button that undoes the reader\'s changes', await page.locator('.live-notice').getByRole('button', {name: 'Undo all'}).isVisible());
+check('the message about a lost context has a button that undoes the reader\'s changes', await page.locator('.live-notice').getByRole('button', {name: 'Reset all files'}).isVisible());
 await page.evaluate(() => window.taken.restoreContext());
 await page.waitForSelector('.live-notice', {state: 'hidden'});
 

@@ -97,7 +97,7 @@ function inPage() {
         program: '.live-on :is(button, input, summary, canvas, [role=tab], tr, .cm-content)', start: '.live-start, .sheet-edit, button.run, form.check button, .scrub, live-chapter:not(.hands) img', fold: 'summary',
         studio: '.drop :is(button, .title)', draft: '.drafts button', editor: '.cm-content, .live-on .live-iconed', search: '.search input', name: '.title',
     };
-    const RESETS = /^(Reset this file|Undo all|Restore|Take the other text|Go back to the previous text|Begin with your changes.*)$/;
+    const RESETS = /^(Reset this file|Reset all files|Restore|Take the other text|Go back to the previous text|Begin with your changes.*)$/;
     const seen = (one) => one.checkVisibility({visibilityProperty: true}) && one.getBoundingClientRect().width >= 1 && one.getBoundingClientRect().height >= 1;
     const words = (one) => `${one.tagName.toLowerCase()}${one.id ? `#${one.id}` : ''}${one.className && typeof one.className === 'string' ? `.${one.className.trim().replace(/\s+/g, '.')}` : ''}`;
     // A selector that finds an element again. The program's controls move from one element to another.

@@ -75,12 +75,18 @@ async function tryNumber(page, i, finger, blame) {
         await page.mouse.up();
     }
     if (!await until(({shown, minimum}) => shown === first && !Number.isNaN(minimum))) return says(`a press sets ${now.shown}`);
-    const before = await shot(page, i), way = now.value > (now.minimum + now.maximum) / 2 ? -1 : 1;
+    const still = now.y, before = await shot(page, i), way = now.value > (now.minimum + now.maximum) / 2 ? -1 : 1;
     async function drag(length) {
         const to = finger ? Math.min(Math.max(now.x + way * length, 4), 386) : now.x + way * length;
         if (finger) {
             await touch('touchStart', [now.x, now.y]);
-            for (let step = 1; step <= 5; step++) await touch('touchMove', [now.x + (to - now.x) * step / 5, now.y]);
+            for (let step = 1; step <= 4; step++) await touch('touchMove', [now.x + (to - now.x) * step / 5, now.y]);
+            await frames(page, 3);
+            const {value, minimum, maximum} = await page.evaluate(look, i);
+            await touch('touchMove', [to, now.y]);
+            await frames(page, 3);
+            const last = (await page.evaluate(look, i)).value; // a number that counts may need more
+            if (last === value && !Number.isInteger(value) && value > minimum && value < maximum) says(`the finger loses the number at ${value}`);
             await touch('touchEnd');
         } else {
             await page.mouse.move(now.x, now.y);
@@ -95,6 +101,7 @@ async function tryNumber(page, i, finger, blame) {
     for (const length of MORE) if (same && await drag(length)) same = await shot(page, i) === before;
     if (same) says('the picture stays the same');
     now = await page.evaluate(look, i);
+    if (Math.abs(now.y - still) > 2) says(`the text moves by ${now.y - still} pixels`);
     if (now.seen < 0.6 || now.over) says(`${Math.round(100 * now.seen)} % of the picture is in sight${now.over ? ', over the number' : ''}`);
     const dragged = now.text;
     await page.keyboard.press(way > 0 ? 'ArrowRight' : 'ArrowLeft');
