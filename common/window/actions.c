@@ -382,6 +382,7 @@ static void act(struct window *window, struct window_event *event)
 {
     if (window_contents_input(window, event))
         return;
+    window->input.armed &= event->kind != EVENT_KEY && event->kind != EVENT_MOVE;
     if (event->kind == EVENT_KEY)
         press_key(window, event);
     else if (event->kind == EVENT_TYPED)

@@ -82,12 +82,16 @@ static int sharp_percent(const struct window *window)
     return pixels > 0.0 ? (int)ceil(100.0 * pixels / pixels_of(inputs)) : 0;
 }
 
-// Hide the picture and the overlay's other parts behind black.
-static void cover(struct overlay *overlay)
+// Hide the picture and the overlay's other parts behind black. Only a lecture's audience sees
+// nothing else.
+static void cover(struct overlay *overlay, bool says)
 {
     static const struct overlay_colour black = {{0, 0, 0, 255}};
-    overlay_box(overlay, 0.0f, 0.0f, pen_picture_width(overlay), pen_picture_height(overlay),
-                black);
+    const float width = pen_picture_width(overlay), height = pen_picture_height(overlay);
+    overlay_box(overlay, 0.0f, 0.0f, width, height, black);
+    if (says)
+        overlay_text(overlay, PEN_MARGIN, height - OVERLAY_LINE - PEN_MARGIN, "B: end this",
+                     PEN_DIM);
 }
 
 static void fill_overlay(struct window *window)
@@ -140,7 +144,7 @@ static void fill_overlay(struct window *window)
     } while (window_uncover_handles(window, moves++));
     window_draw_handles(window);
     if (window->black)
-        cover(&window->panel.overlay);
+        cover(&window->panel.overlay, window_has_contents(window));
     window->renderer->overlay = window->start->overlay_kept ? &window->panel.overlay : NULL;
 }
 

@@ -12,7 +12,7 @@
 void window_field_close(struct window *window)
 {
     window->dirty |= window->input.typing;
-    window->input.typing = false;
+    window->input.typing = window->input.armed = false;
     window->grab.refused[0] = '\0';
 }
 
@@ -85,6 +85,10 @@ static void type_character(struct window *window, int code)
 
 void window_field_type(struct window *window, int code)
 {
+    if (code == INPUT_BEGIN) {
+        window_field_close(window);
+        window_field_open(window);
+    }
     char *typed = window->grab.typed;
     size_t length = strlen(typed);
     if (!window->input.typing && code == INPUT_ESCAPE)
@@ -92,6 +96,8 @@ void window_field_type(struct window *window, int code)
     if (!window->input.typing)
         return;
     window->dirty = true;
+    if (code == INPUT_BEGIN)
+        return;
     window->grab.refused[0] = '\0';
     if (code == INPUT_ENTER)
         assign(window);

@@ -129,10 +129,23 @@ static void type_key(struct window_input *input, int key, int modifiers)
         add(input, (struct window_event){.kind = EVENT_TYPED, .amount = code});
 }
 
+// True if a key writes a number, or takes back what is written.
+static bool writes_number(int key)
+{
+    return (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) ||
+           (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_DECIMAL) || key == GLFW_KEY_KP_SUBTRACT ||
+           key == GLFW_KEY_PERIOD || key == GLFW_KEY_COMMA || key == GLFW_KEY_MINUS ||
+           key == GLFW_KEY_BACKSPACE;
+}
+
 static void on_key(GLFWwindow *window, int key, int scancode, int action, int modifiers)
 {
     (void)scancode;
     struct window_input *input = input_of(window);
+    if (input->armed && !input->typing && action == GLFW_PRESS && writes_number(key)) {
+        input->typing = true;
+        add(input, (struct window_event){.kind = EVENT_TYPED, .amount = INPUT_BEGIN});
+    }
     bool closes = input->picker_open && key == GLFW_KEY_ESCAPE;
     if ((input->typing || closes) && action != GLFW_RELEASE) {
         type_key(input, key, modifiers);

@@ -23,8 +23,9 @@ enum window_event_kind {
     EVENT_HOVER  // the pointer has moved, or left the window, without dragging anything
 };
 
-// Codes of typed keys that are not characters.
-enum { INPUT_BACKSPACE = 8, INPUT_ENTER = 13, INPUT_ESCAPE = 27 };
+// Codes of typed keys that are not characters. INPUT_BEGIN comes before the first key that a number
+// receives after a click.
+enum { INPUT_BEGIN = 2, INPUT_BACKSPACE = 8, INPUT_ENTER = 13, INPUT_ESCAPE = 27 };
 
 struct window_event {
     enum window_event_kind kind;
@@ -69,6 +70,7 @@ struct window_input {
                         // none. The reader clears it
     // Kept from frame to frame:
     bool typing;      // a field is open, so keys are characters; set by field.c
+    bool armed;       // a number was clicked, so a key that writes a number opens its field
     bool picker_open; // Escape closes the colour picker; set by colour_picker.c
     bool held[HELD_KEYS];
     double pressed[HELD_KEYS]; // time of glfwGetTime of the last press

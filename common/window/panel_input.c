@@ -179,6 +179,8 @@ static void click(struct window *window)
         window_picker_open(window);
     else if (window->grab.what == GRAB_SWITCH)
         parameter_put(parameter, 0, parameter_fraction(parameter, 0) < 0.5 ? 1.0 : 0.0);
+    else
+        window->input.armed = true;
     if (resets || window->grab.what == GRAB_SWITCH)
         window_parameter_changed(window);
 }
@@ -258,6 +260,7 @@ static void update_rows(struct window *window)
     }
     if (window_panel_covers(window, window->grab.at))
         return;
+    window->input.armed = false;
     window->dirty |= window->panel.views || window->panel.open != 0;
     window->panel.views = false;
     window->panel.open = 0;
@@ -291,7 +294,7 @@ void window_panel_fill(struct window *window, struct panel *panel, char tip[512]
     memcpy(panel->tip_at, window->grab.at, sizeof panel->tip_at);
     bool says = shown && !window->panel.dragged && !is_switch(below);
     snprintf(tip, 512, "%s%s", shown ? below->meaning : "",
-             says ? " (drag: change, double click: type)" : "");
+             says ? " (drag it, or click and type)" : "");
     window_field_fill(window, panel, tip);
     window_picker_fill(window, panel);
 }

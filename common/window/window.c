@@ -297,7 +297,7 @@ void window_show(struct window *window, const struct window_start *start, bool a
                  (int)strcspn(start->selected, "="), start->selected);
     memcpy(fresh->rectangle, window->rectangle, sizeof fresh->rectangle);
     memcpy(fresh->cursor, window->cursor, sizeof fresh->cursor);
-    fresh->input.typing = fresh->input.picker_open = false;
+    fresh->input.typing = fresh->input.armed = fresh->input.picker_open = false;
     if (window->renderer != NULL)
         window->renderer->overlay = NULL;
     watch_clear(&window->watch);

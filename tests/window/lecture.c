@@ -475,6 +475,18 @@ SESSION_TEST(the_course_goes_from_chapter_to_chapter)
     close_list();
 }
 
+// Nobody lectures in the course's window, so its black screen says how it ends.
+SESSION_TEST(a_reader_finds_back_from_black)
+{
+    open_course(NULL);
+    key(GLFW_KEY_PERIOD, 0);
+    assert_true(brightest() > 100);
+    session_keep(0);
+    key(GLFW_KEY_PERIOD, 0);
+    assert_true(session_off(0, (const int[]){0, 0, 320, 150}) > 0.9);
+    close_list();
+}
+
 static int openings; // frames that said which chapter was being opened
 
 static void count_openings(void)
