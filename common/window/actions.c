@@ -198,7 +198,7 @@ static void capture(struct window *window)
 
 static void blacken(struct window *window)
 {
-    window->black = !window->black && window_has_scenes(window);
+    window->black = window_has_scenes(window);
 }
 
 // Show only the left picture of a comparison, or only the right one if the left one is alone.
@@ -235,7 +235,7 @@ const struct key_row window_keys[] = {
      .meaning = "in a lecture, go to a part",
      .binding = {{0}}}, // ask_part
     {.label = "B .", .does = "black screen", .condition = KEY_WITH_SCENES,
-     .meaning = "in the course or in a lecture, make the screen black; a second press or another scene ends this",
+     .meaning = "in the course or in a lecture, make the screen black; a key, a click or another scene ends this",
      .binding = {{GLFW_KEY_B, .act = blacken}, {GLFW_KEY_PERIOD, .act = blacken}}},
     {.label = "W A S D", .does = "move", .condition = KEY_WITH_CAMERA,
      .meaning = "move horizontally. In most chapters from 03 on, the camera stops at the ground and at the "
@@ -378,9 +378,22 @@ static void move(struct window *window, const double movement[3])
     window->inputs.camera = moved;
 }
 
+// On a black screen, a click or a key other than those that change the scene only ends the black,
+// because what else it did would not be seen. Returns true for such an event.
+static bool ends_black(struct window *window, const struct window_event *event)
+{
+    int key = event->kind == EVENT_KEY ? event->amount : 0;
+    bool pages = key == GLFW_KEY_PAGE_DOWN || key == GLFW_KEY_PAGE_UP || key == GLFW_KEY_N;
+    if (!window->black || pages || (event->kind != EVENT_PRESS && event->kind != EVENT_KEY))
+        return false;
+    window->black = false;
+    window->dirty = true;
+    return true;
+}
+
 static void act(struct window *window, struct window_event *event)
 {
-    if (window_contents_input(window, event))
+    if (ends_black(window, event) || window_contents_input(window, event))
         return;
     window->input.armed &= event->kind != EVENT_KEY && event->kind != EVENT_MOVE;
     if (event->kind == EVENT_KEY)

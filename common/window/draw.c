@@ -90,8 +90,8 @@ static void cover(struct overlay *overlay, bool says)
     const float width = pen_picture_width(overlay), height = pen_picture_height(overlay);
     overlay_box(overlay, 0.0f, 0.0f, width, height, black);
     if (says)
-        overlay_text(overlay, PEN_MARGIN, height - OVERLAY_LINE - PEN_MARGIN, "B: end this",
-                     PEN_DIM);
+        overlay_text(overlay, PEN_MARGIN, height - OVERLAY_LINE - PEN_MARGIN,
+                     "any key ends the black screen", PEN_DIM);
 }
 
 static void fill_overlay(struct window *window)

@@ -263,6 +263,10 @@ function words(html) {
 const withoutRun = (html) => html.replace(/<div class="commands"><div class="command"><pre><code>make run FIGURE=(\w+)<\/code><\/pre><button[^>]*>Run<\/button><\/div><\/div>/g,
     (whole, name) => html.includes(`<figure-sheet name="${name}"`) ? '' : whole);
 
+// The exercises tell how to work with files; in a page, nobody needs any.
+const HERE = '<p class="note">Here you need no file: <em>Your answer</em>, below an exercise, opens a copy of its shader in this page, and <em>Check</em> compares it with the solution.</p>';
+const withHere = (html) => html.includes('class="check"') ? html.replace(/<h2 id="exercises">.*?<\/h2>/s, (heading) => heading + HERE) : html;
+
 // The body of a page from pandoc's HTML.
 //   stem      the stem of the page's chapter; undefined if the page does not belong to a chapter
 //   sources   the pages that show files of the project (sources.mjs)
@@ -272,7 +276,7 @@ export function bodyOf(html, {stem, sources, pictures}) {
     if (stem) html = live(guesses(html, stem, pictures), stem, pictures);
     html = withoutRun(links(images(html, pictures), sources));
     if (stem) html = scrubs(html, stem);
-    html = words(html);
+    html = withHere(words(html));
     html = tables(html).replaceAll(' />', '>');
     // Third-level headings above the first section become small second-level headings, so that no level is skipped.
     html = html.replace(/^.*?(?=<h2|$(?![^]))/s, (head) => head.replace(/<h3( [^>]*)>(.*?)<\/h3>/gs, '<h2 class="minor"$1>$2</h2>'));

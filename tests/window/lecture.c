@@ -150,6 +150,13 @@ SESSION_TEST(b_makes_the_screen_black)
     session_keep(0);
     key(GLFW_KEY_B, 0);
     assert_int_equal(brightest(), 0);
+    user_click(100.0, 100.0, GLFW_MOUSE_BUTTON_LEFT); // nothing is selected unseen
+    turns(2);
+    assert_true(session_off(0, NULL) <= 0.0);
+    key(GLFW_KEY_B, 0);
+    key(GLFW_KEY_5, 0);
+    assert_true(session_off(0, NULL) <= 0.0);
+    key(GLFW_KEY_B, 0);
     key(GLFW_KEY_PERIOD, 0); // as a presenter's remote control sends
     assert_true(session_off(0, NULL) <= 0.0);
     key(GLFW_KEY_B, 0);
