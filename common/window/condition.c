@@ -46,14 +46,17 @@ bool window_has_scenes(const struct window *window)
     return window->start->caption != NULL || window_has_contents(window);
 }
 
-// True if the linked programs that follow the rays of pixels read one of some inputs of the camera.
-// Other programs, such as that of the slice, always do.
+// True if the linked programs that follow the rays of pixels, or keep a frame, read one of some
+// inputs of the camera. Other programs, such as that of the slice, always do.
 static bool reads(const struct renderer *renderer, enum input_meaning first,
                   enum input_meaning last)
 {
     bool found = renderer->comparison != NULL && reads(renderer->comparison->other, first, last);
-    for (enum shader_view i = 0; i <= VIEW_PROBE && !found; i++)
-        found = renderer->program[i] != 0 && !shader_shows_ray(i) &&
+    for (int i = 0; i < renderer->pass_count && !found; i++)
+        found = reads(&renderer->pass[i], first, last);
+    for (enum shader_view i = 0; i < SHADER_PROGRAM_COUNT && !found; i++)
+        found = (i <= VIEW_PROBE || i == VIEW_KEPT) && renderer->program[i] != 0 &&
+                !shader_shows_ray(i) &&
                 inputs_reads(renderer->gl, renderer->program[i], &renderer->fragment, first, last);
     return found;
 }

@@ -235,12 +235,18 @@ check('dragging a number to the right increases the value, in the sentence and i
 await page.keyboard.press('ArrowLeft');
 now = await comes(page, 's.parameters.find((p) => p.name === "lampHeight").value[0] < v[0]', height);
 check('the arrow keys change a number in a sentence', (await value(page, 'lampHeight'))[0] < height && Number(await code.getAttribute('aria-valuenow')) < height);
-await page.evaluate(() => scrollTo({top: 4000, behavior: 'instant'}));
-await page.evaluate(() => document.querySelector('code.scrub').focus({preventScroll: true}));
+await page.evaluate(() => {
+    const number = document.querySelector('code.scrub');
+    scrollBy({top: number.getBoundingClientRect().top - 100, behavior: 'instant'});
+    number.focus({preventScroll: true});
+});
 await page.keyboard.press('ArrowRight');
 await page.waitForSelector('.live-afloat');
 box = await page.locator('.live-canvas').boundingBox();
 check('a picture that is scrolled out of view becomes visible while its number is changed', box.y >= 0 && box.y + box.height <= 900, box);
+await page.evaluate(() => scrollBy({top: 1500, behavior: 'instant'}));
+await page.waitForSelector('.live-afloat', {state: 'detached'});
+check('it floats no longer than its number is on the screen', (await page.locator('.live-canvas').boundingBox()).y < 0);
 check('the console reports no error', said.length === 0, said);
 await page.close();
 

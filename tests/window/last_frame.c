@@ -238,6 +238,24 @@ SESSION_TEST(a_calm_mean_becomes_finer)
     session_close();
 }
 
+// Only the frames that are kept follow the camera here, as in chapter 24.
+SESSION_TEST(a_kept_frame_follows_the_camera)
+{
+    scratch_write("kept.frag", GPU_COURSE
+                  "uniform sampler2D history; // the last frame\n"
+                  "vec4 frameKept(vec2 pixel) { return vec4(fract(iCameraPosition), 1); }\n"
+                  "vec3 rayColour(Ray ray) { return texelFetch(history, iPixel, 0).rgb; }\n");
+    session_open_bare(CHAPTER, "--size 320x200 --shader %s", scratch_path("kept.frag"));
+    session_wait(0.2);
+    session_keep(0);
+    user_press(GLFW_KEY_W, 0);
+    session_wait(0.1);
+    user_release(GLFW_KEY_W);
+    session_turn();
+    assert_true(session_off(0, NULL) > 0.9);
+    session_close();
+}
+
 // Nothing moves in a mean, so a pause lets it become finer at once, as it sharpens other pictures.
 SESSION_TEST(a_paused_mean_becomes_finer)
 {
