@@ -59,16 +59,10 @@ static void status_text(const struct panel *panel, bool rated, bool paused, char
     }
 }
 
-// True if another view can be shown: one that an earlier version of the shader had can be left.
-static bool has_views(const struct panel *panel)
-{
-    return panel->renderer->fragment.marches || panel->renderer->view != VIEW_PICTURE;
-}
-
 // Add the list of views, with the current one selected.
 static void add_views(struct panel_rows *rows, const struct panel *panel)
 {
-    for (int i = 0; panel->views && has_views(panel) && i < SHADER_VIEW_COUNT; i++) {
+    for (int i = 0; panel->views && i < SHADER_VIEW_COUNT; i++) {
         struct panel_row *row = add(rows, PANEL_ROW_VIEW, shader_view_name((enum shader_view)i));
         row->part = i;
         row->selected = i == (int)panel->renderer->view;
@@ -239,7 +233,7 @@ static void cut(struct panel_rows *rows, const struct panel *panel, int first, i
     }
     kept[room] = (struct panel_row){PANEL_ROW_MORE, .parameter = -1, .part = to, .fraction = -1.0};
     if (to < 0)
-        snprintf(kept[room].cell[0], PANEL_CELL, "%d parameter%s: no room", parameters,
+        snprintf(kept[room].cell[0], PANEL_CELL, "no room for %d parameter%s", parameters,
                  parameters == 1 ? "" : "s");
     else
         snprintf(kept[room].cell[0], PANEL_CELL, "%d to %d of %d%s", from, to, parameters,
@@ -332,7 +326,7 @@ static float add_rows(struct panel_rows *rows, const struct panel *panel, float 
     if (in_steps(overlay_width(text) + MARK) > limit)
         status_text(panel, false, panel->paused, text);
     struct panel_row *status = add(rows, PANEL_ROW_STATUS, text);
-    if (panel->rows != NULL && has_views(panel))
+    if (panel->rows != NULL && panel->choice)
         snprintf(status->cell[1], PANEL_CELL, "%s", panel->views ? "▾" : "▸");
     status_text(panel, true, true, text);
     if (in_steps(overlay_width(text) + MARK) <= limit)

@@ -30,6 +30,7 @@ struct panel {
     bool timed;     // the picture depends on the time
     int averaged;   // number of frames of which the picture is the mean; 0 if it is none
     bool paused;
+    bool choice;             // there is more than one view
     bool views;              // list the views below the status
     bool buttons;            // show the row of buttons
     bool peeks;              // show the title of a folded panel, with the mark that unfolds it

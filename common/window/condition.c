@@ -47,7 +47,7 @@ bool window_has_scenes(const struct window *window)
 }
 
 // True if the linked programs that follow the rays of pixels, or keep a frame, read one of some
-// inputs of the camera. Other programs, such as that of the slice, always do.
+// inputs. Other programs, such as that of the slice, always read the camera.
 static bool reads(const struct renderer *renderer, enum input_meaning first,
                   enum input_meaning last)
 {
@@ -61,16 +61,21 @@ static bool reads(const struct renderer *renderer, enum input_meaning first,
     return found;
 }
 
+bool window_reads(const struct window *window, enum input_meaning first, enum input_meaning last)
+{
+    return reads(window->renderer, first, last);
+}
+
 bool window_key_acts(struct window *window, enum key_condition condition)
 {
     switch (condition) {
     case KEY_ALWAYS:
         return true;
     case KEY_WITH_CAMERA: // a slice or a plot shows the selected ray, wherever the camera is
-        return reads(window->renderer, INPUT_EYE, INPUT_FORWARD) &&
+        return window_reads(window, INPUT_EYE, INPUT_FORWARD) &&
                !(shader_shows_ray(window->renderer->view) && window->inputs.pixel[0] >= 0);
     case KEY_WITH_LENS:
-        return reads(window->renderer, INPUT_FOCAL, INPUT_FOCAL);
+        return window_reads(window, INPUT_FOCAL, INPUT_FOCAL);
     case KEY_WITH_MARCH:
         // A view that an earlier version of the shader had can be left.
         return window->renderer->fragment.marches || window->renderer->view != VIEW_PICTURE;

@@ -4,6 +4,8 @@
 
 #include <stdbool.h>
 
+#include "shader/inputs.h"
+
 struct window;
 
 // When a row's keys act, and the overlay lists them.
@@ -37,6 +39,10 @@ bool window_has_contents(const struct window *window);
 
 // True in a course or a lecture, where keys change the scene.
 bool window_has_scenes(const struct window *window);
+
+// True if what the window shows, or keeps of a frame, reads one of some inputs.
+//   first, last  of these inputs, in the order of input_meaning
+bool window_reads(const struct window *window, enum input_meaning first, enum input_meaning last);
 
 // True if the keys of a row act on what the window shows.
 bool window_key_acts(struct window *window, enum key_condition condition);

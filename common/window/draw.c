@@ -107,6 +107,7 @@ static void fill_overlay(struct window *window)
         .renderer = window->renderer,
         .selected = window_selected(window),
         .selected_part = window_selected_part(window),
+        .choice = window_key_acts(window, KEY_WITH_MARCH),
         .rate = rests(window) ? 0.0 : window->panel.figures[0],
         .milliseconds = window->panel.figures[1],
         .timed = window_uses_time(window),

@@ -117,7 +117,6 @@ static void drag(struct window *window, const struct window_event *event)
         window->grab.fraction[k] += right / (double)window->grab.width;
         parameter_put(parameter, k, window->grab.fraction[k]);
     }
-    window->panel.dragged = true;
     window_parameter_changed(window);
 }
 
@@ -292,9 +291,8 @@ void window_panel_fill(struct window *window, struct panel *panel, char tip[512]
     panel->table = &window->panel.table;
     panel->tip = tip;
     memcpy(panel->tip_at, window->grab.at, sizeof panel->tip_at);
-    bool says = shown && !window->panel.dragged && !is_switch(below);
     snprintf(tip, 512, "%s%s", shown ? below->meaning : "",
-             says ? " (drag it, or click and type)" : "");
+             shown && !is_switch(below) ? " (drag it, or click and type)" : "");
     window_field_fill(window, panel, tip);
     window_picker_fill(window, panel);
 }

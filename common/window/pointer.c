@@ -39,18 +39,10 @@ void window_pointer_locate(const struct window *window, struct window_event *eve
 
 // ---- The picture ----
 
-// True if the picture's program reads the pointer's position.
-static bool reads_pointer(const struct window *window)
-{
-    const struct renderer *renderer = window->renderer;
-    return inputs_reads(renderer->gl, renderer->program[renderer->view], &renderer->fragment,
-                        INPUT_MOUSE, INPUT_POINTER_SHARE);
-}
-
 // Moving the pointer to the right, dragging or captured, turns the view to the right.
 static void look_around(struct window *window, const double movement[3])
 {
-    if (!reads_pointer(window))
+    if (!window_reads(window, INPUT_MOUSE, INPUT_POINTER_SHARE))
         window_explain_key(window, KEY_WITH_CAMERA);
     if (!window_key_acts(window, KEY_WITH_CAMERA))
         return;
@@ -96,7 +88,7 @@ static void update_mouse(struct window *window)
         mouse[i] = now[i];
     }
     window->pointer.pressed = false;
-    window->stale |= changed && reads_pointer(window);
+    window->stale |= changed && window_reads(window, INPUT_MOUSE, INPUT_POINTER_SHARE);
 }
 
 // ---- The divider of a comparison ----

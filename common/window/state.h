@@ -133,7 +133,6 @@ struct window {
         const char *note_heading; // the line above the note
         double note_ends;         // when it disappears
         unsigned told;            // the notes that have been shown: a bit for each key_condition
-        bool dragged;             // a number has been dragged, so tooltips no longer say how
         char error[4096];         // the error that the panel shows; "" if there is none
         struct panel_key keys[WINDOW_KEYS];
         int key_count;

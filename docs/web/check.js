@@ -196,10 +196,10 @@ export async function check(form, stage, part, edit) {
         const {right, words, place, rays, pictures} = await judge(name, files[own], (text) => say(text));
         say(part('strong', {textContent: right ? 'Right: ' : 'Wrong: '}), `${words}.`);
         verdict.classList.toggle('live-right', right);
-        document.addEventListener('changed', function changed({detail}) { // what is said is about the earlier text
+        document.addEventListener('changed', function changed({detail}) { // the verdict is about the text that was checked
             if (detail !== own) return;
             document.removeEventListener('changed', changed);
-            if (!verdict.querySelector('.live-earlier')) verdict.prepend(part('p', {className: 'live-earlier', textContent: 'Before your last change:'}));
+            if (!verdict.querySelector('.live-earlier')) verdict.prepend(part('p', {className: 'live-earlier', textContent: 'This is about an earlier text:'}));
         });
         if (right) document.dispatchEvent(new CustomEvent('solved', {detail: name}));
         if (place) verdict.append(part('p', {}, `Your ray of pixel ${place}: ${rays[0]}`, part('br'), `The solution's ray: ${rays[1]}`));

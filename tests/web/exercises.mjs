@@ -70,7 +70,7 @@ for (const stem of ['00_first_scene', '01_normal_colouring', '03_shadows']) {
     const text = page.locator('.cm-content'), before = await text.innerText();
     await text.press('Control+End');
     await page.keyboard.insertText('// more');
-    await page.getByText('Before your last change').waitFor();
+    await page.getByText('This is about an earlier text:').waitFor();
     check(`${number}: a verdict on an earlier text says so`, await page.locator('.live-earlier').count() === 1);
     await page.getByRole('button', {name: 'Undo', exact: true}).tap();
     check(`${number}: a button undoes the last change`, await text.innerText() === before, (await text.innerText()).slice(-60));

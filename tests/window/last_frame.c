@@ -215,16 +215,22 @@ SESSION_TEST(a_slow_beginning_is_forgotten)
     assert_true(frame() > 3 && kept() == frame() + 1);
 }
 
-// A mean that is calm begins again with more pixels, however slow its frames become; a picture that
-// somebody changes is quick again.
-SESSION_TEST(a_calm_mean_becomes_finer)
+// Open a mean whose pixels take long, and draw some frames. Returns the level that has been chosen.
+static int open_slow_mean(int frames)
 {
     scratch_write("still.frag", still);
     user.pixel_seconds = 4e-5;
     session_open_bare(CHAPTER, "--size 320x200 --shader %s", scratch_path("still.frag"));
-    for (int i = 0; i < 100; i++)
+    for (int i = 0; i < frames; i++)
         session_turn();
-    int level = session_window()->pace.resolution.level;
+    return session_window()->pace.resolution.level;
+}
+
+// A mean that is calm begins again with more pixels, however slow its frames become; a picture that
+// somebody changes is quick again.
+SESSION_TEST(a_calm_mean_becomes_finer)
+{
+    int level = open_slow_mean(100);
     assert_true(level > 6 && frame() > 90);
     for (int i = 0; i < 100; i++)
         session_turn();
@@ -259,12 +265,7 @@ SESSION_TEST(a_kept_frame_follows_the_camera)
 // Nothing moves in a mean, so a pause lets it become finer at once, as it sharpens other pictures.
 SESSION_TEST(a_paused_mean_becomes_finer)
 {
-    scratch_write("still.frag", still);
-    user.pixel_seconds = 4e-5;
-    session_open_bare(CHAPTER, "--size 320x200 --shader %s", scratch_path("still.frag"));
-    for (int i = 0; i < 20; i++)
-        session_turn();
-    int level = session_window()->pace.resolution.level, before = frame();
+    int level = open_slow_mean(20), before = frame();
     session_key(GLFW_KEY_ESCAPE);
     session_assert_title("(paused)");
     for (int i = 0; i < 10; i++)

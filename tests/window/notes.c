@@ -1,5 +1,6 @@
 // notes.c - tests what a window says about its keys: the line with which a program begins, the list
 // of K, and the notes of keys that do nothing here.
+#include "lib/gpu.h"
 #include "lib/scratch.h"
 #include "lib/session.h"
 #include "window/state.h"
@@ -200,14 +201,20 @@ SESSION_TEST(a_drag_without_a_camera_says_why)
     session_turn();
     assert_non_null(strstr(session_window()->panel.note, "does not read the camera"));
     session_close();
-    const char *shader = scratch_write(
-        "follows.frag",
-        "void mainImage(out vec4 c, in vec2 p) { c = vec4(iMouse.xy / iResolution.xy, 0, 1); }");
-    session_open("00_first_scene", "--size 320x200 --shader %s", shader);
-    user_drag(250, 190, -40, 0);
-    session_turn();
-    assert_string_equal(session_window()->panel.note, "");
-    session_close();
+    // A drag that a shader follows by itself needs no note, even if only its kept frames do.
+    static const char *const follows[] = {
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(iMouse.xy / iResolution.xy, 0, 1); }",
+        GPU_COURSE "uniform sampler2D history; // the last frame\n"
+                   "vec4 frameKept(vec2 pixel) { return vec4(iMouse.xy / iResolution.xy, 0, 1); }\n"
+                   "vec3 rayColour(Ray ray) { return texelFetch(history, iPixel, 0).rgb; }\n"};
+    for (int i = 0; i < 2; i++) {
+        session_open("00_first_scene", "--size 320x200 --shader %s",
+                     scratch_write("follows.frag", follows[i]));
+        user_drag(250, 190, -40, 0);
+        session_turn();
+        assert_string_equal(session_window()->panel.note, "");
+        session_close();
+    }
 }
 
 // Nobody turns a camera whose picture is not seen.

@@ -84,26 +84,17 @@ static void leave_panel(void)
     point(400, 200);
 }
 
-// True if the tooltip of a number says how to change it.
-static bool tells_how_to_drag(void)
-{
-    char tip[512];
-    struct panel panel = {0};
-    assert_true(session_window()->grab.tip);
-    window_panel_fill(session_window(), &panel, tip);
-    return strstr(tip, "drag it") != NULL;
-}
-
 SESSION_TEST(a_row_changes_its_value)
 {
     open_rows(1, false);
     session_assert_title("size = 5");
     user_point(60, 50);
     session_wait(0.7);
-    assert_true(tells_how_to_drag());
+    char tip[512];
+    struct panel panel = {0};
+    window_panel_fill(session_window(), &panel, tip);
+    assert_non_null(strstr(tip, "drag it, or click and type"));
     drag(60, 50, 60, 0);
-    session_wait(0.7);
-    assert_false(tells_how_to_drag()); // who has dragged one knows
     assert_true(value() > 5.5);
     double dragged = value();
     drag(120, 50, -60, 0);
