@@ -118,6 +118,9 @@ export class Changes {
         }
     }
 
+    // The current text of a file. While `lay` holds, the program's file has another text.
+    text(name) { return this.files[name] ?? this.stage.program.read(name); }
+
     get any() { return Object.keys(this.files).length > 0; }
 
     async change(name, text) {
@@ -193,7 +196,7 @@ export class Changes {
         if (!open) return this.editor?.flush();
         const {Editor} = await import('./editor.js');
         this.editor ??= new Editor(this.place, {
-            read: (name) => this.stage.program.read(name),
+            read: (name) => this.text(name),
             changed: (name, text) => {
                 this.offer({});
                 return this.change(name, text);
@@ -201,6 +204,7 @@ export class Changes {
             bottom: () => this.stage.error.hidden ? Infinity : this.stage.error.getBoundingClientRect().top,
         });
         this.show(this.stage.state);
+        if (document.activeElement.matches('input:not([type=file])')) return; // the reader is already typing elsewhere, for example the name of a draft
         this.editor.view.focus();
         this.element.scrollIntoView({block: 'start'}); // scrolls the editor to just below the picture, which remains visible
     }
@@ -226,7 +230,7 @@ export class Changes {
     async link() {
         await this.editor.flush();
         const {at, program} = this.stage, [own] = this.editor.names; // a text of the reader's own belongs to the link even if it has not been changed
-        edits.show(await edits.pack(at.stem, this.stage.line + this.stage.settings, program.course.has(own) ? this.files : {[own]: program.read(own), ...this.files}));
+        edits.show(await edits.pack(at.stem, this.stage.line + this.stage.settings, program.course.has(own) ? this.files : {[own]: this.text(own), ...this.files}));
         try {
             await navigator.clipboard.writeText(location.href);
             this.saved.textContent = 'Copied. The address of this page now contains your changes.';

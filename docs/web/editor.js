@@ -62,6 +62,13 @@ export class Editor {
         this.view = new EditorView({parent: this.page});
     }
 
+    // Replace the text. A selection by mouse ends, because CodeMirror would apply its positions to the new text; a
+    // movement without a button ends it.
+    replace(state) {
+        document.dispatchEvent(new MouseEvent('mousemove'));
+        this.view.setState(state);
+    }
+
     state(name) {
         return EditorState.create({
             doc: this.read(name),
@@ -126,7 +133,7 @@ export class Editor {
             this.flush();
             if (this.name) this.states.set(this.name, this.view.state);
             this.name = name;
-            this.view.setState(this.states.get(name) || this.state(name));
+            this.replace(this.states.get(name) || this.state(name));
         }
         this.names.forEach((one, i) => {
             this.tabs.children[i].setAttribute('aria-selected', one === name);
@@ -150,7 +157,7 @@ export class Editor {
         if (name !== this.name) return;
         clearTimeout(this.timer);
         this.waits = false;
-        this.view.setState(this.state(name));
+        this.replace(this.state(name));
         this.lint();
     }
 

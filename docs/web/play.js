@@ -40,7 +40,7 @@ function keep(all) {
 const slug = (name) => name.replace(/\.\w+$/, '').replace(/[^\w-]+/g, '_').slice(0, 60).replace(/^_+|_+$/g, '').replace(/^(?=\d\d_)/, 'my_') || 'shader';
 const fileOf = (name) => `chapters/${name}.frag`;
 const shows = (name) => chapter.program?.state().files?.[0] === `/course/${fileOf(name)}`;
-const textOf = (name) => shows(name) ? chapter.program.read(fileOf(name)) : kept()[fileOf(name)] ?? drafts()[name].base;
+const textOf = (name) => shows(name) ? chapter.stage.changes.text(fileOf(name)) : kept()[fileOf(name)] ?? drafts()[name].base;
 const typed = () => chapter.stage?.changes.editor?.flush(); // store what has been typed into the editor
 
 // A name that no draft has. A deleted draft keeps its name.
@@ -234,8 +234,8 @@ addEventListener('drop', (event) => {
     take(event.dataTransfer);
 });
 field.addEventListener('change', async () => {
+    const old = at, name = slug(field.value); // another draft may be opened meanwhile
     await typed();
-    const old = at, name = slug(field.value);
     if (!drafts()[old] || name === old) return;
     const {base, stem, from} = drafts()[old], text = textOf(old), own = free(name);
     await play(own, base, text, {stem, from});

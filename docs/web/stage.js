@@ -379,7 +379,7 @@ export class Stage {
     async exported() {
         const lines = [], names = this.state.files.map((path) => path.replace('/course/', ''));
         const other = await Program.load(this.part('canvas'), {onLine: (text) => lines.push(text)});
-        for (const name of names) if (/\.(frag|glsl)$/.test(name)) other.write(name, this.program.read(name));
+        for (const name of names) if (/\.(frag|glsl)$/.test(name)) other.write(name, this.changes.text(name));
         const status = await other.start(this.at.stem, `--shader ${names[0]} --print-shader=shadertoy`);
         if (status !== 0) throw new Error(lines.join('\n').replaceAll('/course/', ''));
         return lines.join('\n') + '\n';

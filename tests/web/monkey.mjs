@@ -122,6 +122,23 @@ function inPage() {
     };
     // A link to another site would leave the site.
     addEventListener('click', (event) => { const link = event.target.closest?.('a[href]'); if (link && /^http/.test(link.href) && link.origin !== location.origin) event.preventDefault(); }, true);
+    // Report what an event may change: the text of a file, or the state of a draft. The element that gets the event
+    // counts, because the page may have moved since a target was found.
+    const saw = (what) => window.monkeySaw(what);
+    for (const type of ['keydown', 'beforeinput', 'click']) addEventListener(type, (event) => {
+        const now = editor();
+        if (now && event.isTrusted && event.target.closest?.('.cm-editor')) saw(`text ${now.name}`); // also the editor's panel for search and replace
+    }, true);
+    addEventListener('click', ({target, isTrusted}) => {
+        const button = isTrusted && target.closest?.('button'), now = editor();
+        if (button && RESETS.test(button.textContent)) for (const name of [...Object.keys(read('changes')), ...now ? [now.name] : []]) saw(`reset ${name}`);
+        const [, verb, name] = /^(Delete|Undo: restore) (.*)$/.exec(button?.ariaLabel ?? '') ?? [];
+        if (verb) saw(`${verb === 'Delete' ? 'delete' : 'restore'} ${name}`);
+    }, true);
+    addEventListener('change', ({target}) => {
+        const open = target.matches('.title') && document.querySelector('.draft[aria-current=true]')?.textContent.replaceAll(' ', '_');
+        if (open) saw(`rename ${open}`);
+    }, true);
     let hidden = false;
     Object.defineProperty(document, 'hidden', {get: () => hidden});
     const frame = () => new Promise((done) => requestAnimationFrame(done));
@@ -142,18 +159,12 @@ function inPage() {
             const {left, top, width, height} = rect();
             return {path: pathOf(one), x: Math.round(left + width * (0.1 + 0.8 * x)), y: Math.round(top + height * (0.1 + 0.8 * y))};
         },
-        // What an event may change: the texts of files, and the state of drafts.
-        //   at    the element that the event activates; undefined for the one that has the focus
+        // What is open now.
+        //   at    the element that an event activates; undefined for the one that has the focus
         //   keys  is the event one of the keyboard?
-        allowed(at, keys) {
-            const one = at ? document.querySelector(at) : document.activeElement, button = one?.closest('button'), now = editor(), all = [];
-            if (now && one?.closest('.cm-editor')) all.push(`text ${now.name}`); // also the editor's panel for search and replace
-            if (button && RESETS.test(button.textContent)) for (const name of [...Object.keys(read('changes')), ...now ? [now.name] : []]) all.push(`reset ${name}`);
-            const name = /^(Delete|Undo: restore) (.*)$/.exec(button?.ariaLabel ?? '');
-            if (name) all.push(`${name[1] === 'Delete' ? 'delete' : 'restore'} ${name[2]}`);
-            const open = document.querySelector('.draft[aria-current=true]')?.textContent.replaceAll(' ', '_');
-            if (open && document.activeElement.matches('.title')) all.push(`rename ${open}`);
-            return {all, doc: performance.timeOrigin, editor: now, key: keys && one?.matches('button, summary') ? words(one) : ''};
+        open(at, keys) {
+            const one = at ? document.querySelector(at) : document.activeElement;
+            return {doc: performance.timeOrigin, editor: editor(), key: keys && one?.matches('button, summary') ? words(one) : ''};
         },
         async look() {
             // A browser takes the focus from a hidden element one frame later. In a tiny window, nothing has a size.
@@ -226,7 +237,7 @@ function complaint(now, before) {
     if (!old) return '';
     for (const [name, draft] of Object.entries(old.drafts)) {
         const text = textOf(old, file(name)), same = now.drafts[name];
-        if (!same && !draft.deleted && !(has(`rename ${name}`) && Object.keys(now.drafts).some((one) => textOf(now, file(one)) === text))) return `a draft is gone: ${name}`;
+        if (!same && !draft.deleted && !(has(`rename ${name}`) && Object.keys(now.drafts).some((one) => textOf(now, file(one)) === text || typed(file(one))))) return `a draft is gone: ${name}`;
         if (same?.deleted && !draft.deleted && !has(`delete ${name}`)) return `a draft is deleted: ${name}`;
         if (same && textOf(now, file(name)) !== text && !typed(file(name))) return `the text of a draft has changed: ${name}: ${differ(text, textOf(now, file(name)))}`;
     }
@@ -243,6 +254,7 @@ async function play(browser, server, source) {
     const first = source.next().value, [, width, address] = first, touch = width < 640;
     const context = await browser.newContext({viewport: {width, height: touch ? 844 : 900}, ...touch && {hasTouch: true, isMobile: true, deviceScaleFactor: 2}});
     const events = [first], said = [], before = {now: null, may: new Set(), left: null, key: '', doc: 0, editor: null};
+    await context.exposeFunction('monkeySaw', (what) => before.may.add(what));
     await context.addInitScript(inPage);
     const page = await context.newPage(), cdp = await context.newCDPSession(page);
     page.setDefaultTimeout(FROZEN);
@@ -334,7 +346,7 @@ async function play(browser, server, source) {
     };
     const TARGETED = ['tap', 'double', 'press', 'pinch', 'focus'];
 
-    // Carry out one event, and note what it may change.
+    // Carry out one event.
     async function act(event) {
         let [verb, ...values] = event, at = null;
         if (TARGETED.includes(verb)) {
@@ -345,12 +357,10 @@ async function play(browser, server, source) {
             values = [at, ...more];
         }
         events.push(event);
-        const keys = ['key', 'type', 'down'].includes(verb), {all, doc, editor, key} = await ask('allowed', at?.path, keys);
-        for (const one of all) before.may.add(one);
+        const {doc, editor, key} = await ask('open', at?.path, ['key', 'type', 'down'].includes(verb));
         if (before.doc === doc || !before.doc) Object.assign(before, {doc, editor});
         before.key = verb === 'key' && /^(Enter|Space)$/.test(values[0]) ? key : verb === 'look' || verb === 'wait' ? before.key : '';
         await verbs[verb](...values).catch((error) => { if (!/ERR_ABORTED|interrupted by another navigation/.test(error.message)) throw error; }); // a link was faster
-        if (keys) for (const one of (await ask('allowed', undefined, true)).all) if (one.startsWith('text')) before.may.add(one); // the editor has just taken the focus
     }
     async function look() {
         const now = await ask('look');

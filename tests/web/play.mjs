@@ -132,6 +132,16 @@ await page.keyboard.type('// kept\n');
 await page.waitForSelector('.live-changes:not([hidden])');
 await page.waitForFunction(() => document.querySelector('.draft[aria-current=true] img')?.src.startsWith('data:image/jpeg'));
 await page.waitForFunction(() => JSON.stringify({...localStorage}).split('// kept').length > 2); // stored both as a change and as the last text that was drawn
+// While a file that does not compile is tried, the program has the original texts (`lay`). The editor keeps the reader's.
+const during = await page.evaluate(async () => {
+    const {changes} = document.querySelector('.live-on').stage, {editor} = changes;
+    await changes.lay(true);
+    editor.renew(editor.name);
+    const shown = editor.text();
+    await changes.lay(false);
+    return shown;
+});
+check('while the program has the original texts, the editor has the reader\'s', during.includes('// kept'), during);
 check('a draft has a name and a picture', (await drafts()).includes('mine') && await page.locator('.draft').count() >= 4, await drafts());
 const thumb = await page.evaluate(async () => {
     const picture = await createImageBitmap(await new Promise((done) => { const img = document.querySelector('.draft[aria-current=true] img'), canvas = Object.assign(document.createElement('canvas'), {width: 320, height: 180}); canvas.getContext('2d').drawImage(img, 0, 0); canvas.toBlob(done); }));
@@ -189,6 +199,30 @@ check('the one that was deleted last can be restored', await page.getByRole('but
 await drop('03_shadows.glsl', flat('0.0, 1.0, 0.0'));
 await until((s) => s.files?.[0]?.endsWith('/my_03_shadows.frag') && s.rate > 0);
 check('a dropped file with the name of a chapter does not become the chapter\'s shader', (await drafts()).includes('my 03 shadows'), await drafts());
+// A name is typed while the next draft is opened.
+await page.evaluate(() => {
+    document.querySelector('.draft').click();
+    document.querySelector('.title').focus();
+});
+await page.waitForFunction(() => document.querySelector('.live-on .live-editor:not([hidden])') && !document.querySelector('live-chapter[aria-busy]'));
+await frames(page, 30);
+check('opening a draft does not take the focus from its name, which the reader types', await page.evaluate(() => document.activeElement.matches('.title')), await page.evaluate(() => document.activeElement.className));
+// The text is replaced while the mouse selects the end of a longer one.
+await page.locator('.cm-content').click();
+await page.keyboard.press('Control+End');
+const line = await page.locator('.cm-line').last().boundingBox();
+await page.mouse.move(line.x + 3, line.y + 3);
+await page.mouse.down();
+await page.mouse.move(line.x + 30, line.y + 3, {steps: 3});
+await page.evaluate(() => {
+    const {changes} = document.querySelector('.live-on').stage, {editor} = changes;
+    editor.read = () => '1';
+    editor.renew(editor.name);
+    editor.read = (name) => changes.text(name);
+});
+await page.mouse.move(line.x + 60, line.y + 30, {steps: 3});
+await page.mouse.up();
+check('a text that is replaced while the mouse selects is not selected beyond its end', said.length === 0, said);
 
 // ---- A link, and a browser that stores nothing ----
 
