@@ -17,6 +17,7 @@
 #include "window/keys.h"
 #include "window/pointer.h"
 #include "window/lens.h"
+#include "window/pages.h"
 #include "window/ray.h"
 #include "window/selection.h"
 #include "window/stroke.h"
@@ -148,43 +149,6 @@ static void hide(struct window *window)
     window->panel.captioned = !window->panel.folded;
 }
 
-// True if Page Down or Page Up steps along the ray instead of changing the scene: the scene began
-// at a step of the ray, and the next step is neither before that step nor after the ray's last.
-static bool goes_on(const struct window *window, int by)
-{
-    int first = window->start->shown, to = (int)window->inputs.shown + by;
-    return window->inputs.pixel[0] >= 0 && first > 0 && window->inputs.shown > 0.0f &&
-           to >= first && to <= probe_rows(window->ray.probe);
-}
-
-// Ask for a lecture's next or previous scene. Holding the key does not repeat the request. Presses
-// that pile up while a scene is compiled count once; otherwise an impatient speaker would skip
-// scenes.
-static void change_scene(struct window *window, int by)
-{
-    const struct contents *course = window->start->contents;
-    int to = window->start->scene + by;
-    if (window_has_scenes(window))
-        window->asked.scenes = by;
-    else
-        window_note(window, "This window shows one chapter", "make run shows all of them");
-    if (course != NULL && (to < 0 || to >= course->count))
-        window_note(window, to < 0 ? "This is the first chapter" : "This is the last chapter",
-                    "Home shows all chapters");
-}
-
-static void turn_page(struct window *window, int by)
-{
-    if (!goes_on(window, by))
-        change_scene(window, by);
-}
-
-static void step_by_page(struct window *window, int by)
-{
-    if (goes_on(window, by))
-        window_step(window, by);
-}
-
 static const char captured[] = "The mouse is captured";
 
 // A captured mouse is released by the input itself.
@@ -194,11 +158,6 @@ static void capture(struct window *window)
         return;
     window_input_capture(&window->input);
     window_note(window, captured, "M or Escape releases it");
-}
-
-static void blacken(struct window *window)
-{
-    window->black = window_has_scenes(window);
 }
 
 // Show only the left picture of a comparison, or only the right one if the left one is alone.
@@ -220,23 +179,23 @@ const struct key_row window_keys[] = {
     {.label = "Page Up Page Down", .does = "chapter or scene", .condition = KEY_WITH_SCENES,
      .meaning = "in the course or in a lecture, go to the chapter or the scene before or to the next one; if "
                 "a scene began with the steps of a ray, first to its next step",
-     .binding = {{GLFW_KEY_PAGE_DOWN, .change = turn_page, .amount = 1, .shifted = 1},
-                 {GLFW_KEY_PAGE_UP, .change = turn_page, .amount = -1, .shifted = -1},
-                 {GLFW_KEY_PAGE_DOWN, .change = step_by_page, .amount = 1, .shifted = 1, .repeats = true},
-                 {GLFW_KEY_PAGE_UP, .change = step_by_page, .amount = -1, .shifted = -1, .repeats = true}}},
+     .binding = {{GLFW_KEY_PAGE_DOWN, .change = window_turn_page, .amount = 1, .shifted = 1},
+                 {GLFW_KEY_PAGE_UP, .change = window_turn_page, .amount = -1, .shifted = -1},
+                 {GLFW_KEY_PAGE_DOWN, .change = window_step_by_page, .amount = 1, .shifted = 1, .repeats = true},
+                 {GLFW_KEY_PAGE_UP, .change = window_step_by_page, .amount = -1, .shifted = -1, .repeats = true}}},
     {.label = "N", .does = "next scene", .condition = KEY_IN_LECTURE,
      .meaning = "in a lecture, and in the list of a class's wrong pictures, go to the next scene without "
                 "the steps of a ray; with Shift, go back",
-     .binding = {{GLFW_KEY_N, .change = change_scene, .amount = 1, .shifted = -1}}},
+     .binding = {{GLFW_KEY_N, .change = window_change_scene, .amount = 1, .shifted = -1}}},
     {.label = "Home", .does = "contents", .condition = KEY_WITH_CONTENTS,
      .meaning = "in the course, show all chapters; while a ray is selected, a second press is needed",
      .binding = {{0}}}, // go_first
     {.label = "Shift+1…9", .does = "part", .condition = KEY_IN_LECTURE,
      .meaning = "in a lecture, go to a part",
-     .binding = {{0}}}, // ask_part
+     .binding = {{0}}}, // window_ask_part
     {.label = "B .", .does = "black screen", .condition = KEY_WITH_SCENES,
      .meaning = "in the course or in a lecture, make the screen black; a key, a click or another scene ends this",
-     .binding = {{GLFW_KEY_B, .act = blacken}, {GLFW_KEY_PERIOD, .act = blacken}}},
+     .binding = {{GLFW_KEY_B, .act = window_blacken}, {GLFW_KEY_PERIOD, .act = window_blacken}}},
     {.label = "W A S D", .does = "move", .condition = KEY_WITH_CAMERA,
      .meaning = "move horizontally. In most chapters from 03 on, the camera stops at the ground and at the "
                 "water"},
@@ -327,19 +286,9 @@ SHADER_VIEWS(VIEW_IN_PLACE)
 _Static_assert(sizeof window_keys / sizeof *window_keys - 1 <= WINDOW_KEYS,
                "WINDOW_KEYS of state.h is too small");
 
-// In a lecture, Shift with a digit from 1 to 9 asks for a part. Returns true for such a key.
-static bool ask_part(struct window *window, const struct window_event *event)
-{
-    int part = event->amount - GLFW_KEY_0;
-    if (window->start->caption == NULL || !event->shifted || part < 1 || part > 9)
-        return false;
-    window->asked.part = part;
-    return true;
-}
-
 static void press_key(struct window *window, const struct window_event *event)
 {
-    if (ask_part(window, event))
+    if (window_ask_part(window, event))
         return;
     window->panel.note[0] = '\0';
     bool pad = event->amount >= GLFW_KEY_KP_0 && event->amount <= GLFW_KEY_KP_9;
@@ -378,22 +327,9 @@ static void move(struct window *window, const double movement[3])
     window->inputs.camera = moved;
 }
 
-// On a black screen, a click or a key other than those that change the scene only ends the black,
-// because what else it did would not be seen. Returns true for such an event.
-static bool ends_black(struct window *window, const struct window_event *event)
-{
-    int key = event->kind == EVENT_KEY ? event->amount : 0;
-    bool pages = key == GLFW_KEY_PAGE_DOWN || key == GLFW_KEY_PAGE_UP || key == GLFW_KEY_N;
-    if (!window->black || pages || (event->kind != EVENT_PRESS && event->kind != EVENT_KEY))
-        return false;
-    window->black = false;
-    window->dirty = true;
-    return true;
-}
-
 static void act(struct window *window, struct window_event *event)
 {
-    if (ends_black(window, event) || window_contents_input(window, event))
+    if (window_ends_black(window, event) || window_contents_input(window, event))
         return;
     window->input.armed &= event->kind != EVENT_KEY && event->kind != EVENT_MOVE;
     if (event->kind == EVENT_KEY)
