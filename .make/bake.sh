@@ -17,5 +17,6 @@ build/shaders/textures/clay "$mesh" >"$new/picture" || exit 1
 mv "$new/picture" "$new/$name" 2>/dev/null || fail 1 "build/$name: cannot be written: the name is too long"
 keep "$name" || exit 1
 discard
+trap - HUP INT PIPE TERM # the window is to end at a signal
 plain "written  build/$name: the distance to $mesh at 64 x 64 x 64 points; a window shows it"
 CHAPTER=23 exec .make/run.sh --texture "grid=build/$name" --set eyes=false "$@"

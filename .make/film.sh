@@ -22,6 +22,7 @@ fi
 
 begin build/film || exit 1
 mkdir "$new/$stem" && "build/$stem" "$@" --frames "$frames" --fps "$fps" -o "$new/$stem/frame-%04d.png" || exit 1
+[ -n "$(find "$new/$stem" -name '*.png' -print -quit)" ] || fail 1 "$*: with these options, build/$stem writes no pictures: leave out the one that prints"
 keep "$stem" || exit 1
 
 # Players expect colours at half the resolution, which requires an even width and height. The file states which
@@ -35,6 +36,7 @@ rate=$(printf '%s\n' "$fps" | awk '{ print ($1 > 50 ? 50 : $1) }')
 ffmpeg -nostdin -loglevel error -y -framerate "$fps" -i "build/film/$stem/frame-%04d.png" \
     -filter_complex "fps=$rate,split[a][b];[a]palettegen[colours];[b][colours]paletteuse" \
     -loop 0 "$new/$stem.gif" || exit 1
+[ -s "$new/$stem.gif" ] || fail 1 "FRAMES=$frames FPS=$fps: shorter than one picture of a GIF, which shows at most 50 a second: give more frames, or a smaller FPS"
 keep "$stem.mp4" "$stem.gif" || exit 1
 echo "build/film/$stem.mp4"
 echo "build/film/$stem.gif"

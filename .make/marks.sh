@@ -61,7 +61,7 @@ common_folder() {
         END { sub(/[^\/]*$/, "", common); print common }'
 }
 
-read -r -a exercises <<<"${EXERCISES-}"
+read -r -a exercises <<<"$(tr -s '[:space:]' '\n' <<<"${EXERCISES-}" | awk 'NF && !seen[$0]++' | paste -s -d ' ' -)" # each once
 [ ${#exercises[@]} -gt 0 ] || fail 2 "which exercises? For example: make marks FILES='hand-in/*/*.frag' EXERCISES='03_1 03_2' CSV=marks.csv"
 for exercise in "${exercises[@]}"; do
     all_exercises | grep -qxF -e "$exercise" || fail 2 "EXERCISES: $exercise: no solution to compare with; these exercises have one: $(all_exercises | paste -s -d ' ' -)"

@@ -227,6 +227,14 @@ if [ "$BUILD" = build ]; then
             same baked pyramid && build/23_stored_distances "${size[@]}" -o "$scratch/elephant.png" && ! same baked elephant
     }
     check 'make bake shows a mesh' shows_mesh
+    heeds() { # the window ends at a signal
+        # shellcheck disable=SC2016 # the substitute expands the variable
+        printf '#!/bin/sh\nkill -TERM $$\necho ignored\n' >"$scratch/project/.make/run.sh"
+        { bake "$scratch/pyramid.obj"; } 2>/dev/null
+        cp .make/run.sh "$scratch/project/.make/"
+        grep -q '^written' "$scratch/out" && ! grep -q ignored "$scratch/out"
+    }
+    check 'the window of make bake ends at a signal' heeds
     refuses_hole() {
         cp "$baked" "$scratch/before.png" && sed -i.old '$d' "$scratch/pyramid.obj" && ! bake "$scratch/pyramid.obj" &&
             grep -q 'not closed' "$scratch/err" && cmp -s "$baked" "$scratch/before.png" && [ ! -e "$baked.new" ]

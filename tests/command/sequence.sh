@@ -231,6 +231,15 @@ asks() {
 check 'make film passes the pictures to ffmpeg twice' asks
 slower() { film "$scratch/bin:$PATH" 100 && grep -q 'fps=50,' "$scratch/project/build/film/00_first_scene.gif"; }
 check 'a GIF has at most 50 pictures per second' slower
+prints() { # an option that prints instead of drawing pictures
+    ! (cd "$scratch/project" && CHAPTER=00 FRAMES=3 FPS=10 PATH=$scratch/bin:$PATH .make/film.sh -s 65x37 --list >/dev/null 2>"$scratch/err") &&
+        grep -q 'writes no pictures' "$scratch/err" && [ -e "$scratch/project/build/film/00_first_scene/frame-0002.png" ]
+}
+check 'make film with an option that draws nothing keeps the old pictures' prints
+# A substitute for ffmpeg that writes an empty GIF, as ffmpeg does for a film of less than a picture.
+mkdir "$scratch/empty" && printf '#!/bin/sh\nfor last; do :; done\ncase $last in *.gif) : >"$last" ;; *) echo film >"$last" ;; esac\n' >"$scratch/empty/ffmpeg" && chmod +x "$scratch/empty/ffmpeg"
+short() { ! film "$scratch/empty:$PATH" 1000 && grep -q 'shorter than one picture of a GIF' "$scratch/err" && [ -s "$scratch/project/build/film/00_first_scene.gif" ]; }
+check 'make film refuses a film that is too short for a GIF, and keeps the old one' short
 # A substitute for ffmpeg that fails halfway.
 # shellcheck disable=SC2016 # the substitute expands the variables
 printf '#!/bin/sh\nfor last; do :; done\necho half >"$last"\nexit 255\n' >"$scratch/bin/ffmpeg"

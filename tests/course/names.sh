@@ -88,7 +88,7 @@ rows() { [ "$(wc -l <-marks.csv)" = 15 ] && grep -q "^\"'-n\",0,wrong" ./-marks.
 check 'every student has a row' rows
 in_folder() { (cd hand-in && for name in *; do mv "./$name" ..; done); }
 in_folder
-gives 0 3 'make marks of folders that begin with a hyphen' env EXERCISES=00_2 FILES='*/00_2.frag' CSV=-marks.csv .make/marks.sh
+gives 0 3 'make marks of folders that begin with a hyphen, and of an exercise that is named twice' env EXERCISES='00_2 00_2' FILES='*/00_2.frag' CSV=-marks.csv .make/marks.sh
 check 'they have the same rows' rows
 gives 0 0 'make bake MESH=-m.obj' env MESH=-m.obj .make/bake.sh
 gives 0 0 'make slides LIST=-l.txt' env LIST=-l.txt .make/slides.sh
