@@ -1,5 +1,5 @@
-// A simple scene to start from. `make play`, or play.bat, copies it to chapters/play.frag, which is
-// yours, and opens the copy. Change it and save: the window shows the result, or any errors.
+// A simple scene to start from. The text is yours: change it, and the picture shows the result, or
+// any errors, as soon as the text is saved or, on a page, as you type.
 //
 // The library is in shaders/. To use its functions, include one of its files, as below.
 

@@ -4,6 +4,7 @@ import * as edits from './edits.js';
 
 const SHADER = /\.(frag|glsl)$/;
 const PREFIX = '/course/';
+const nameOf = (path) => path.slice(path.lastIndexOf('/') + 1);
 
 export class Changes {
     constructor(stage) {
@@ -22,8 +23,9 @@ export class Changes {
         this.saved.setAttribute('role', 'status');
         this.download = stage.button('Download my.frag', () => this.hand());
         this.judge = stage.button('Check', () => stage.at.form.requestSubmit(), {className: 'live-judge'}); // of an exercise
-        this.element = part('div', {className: 'live-editor', hidden: true}, this.place, part('div', {className: 'live-bar'}, this.judge,
-            stage.button('Undo', () => this.editor.back()), stage.button('Reset this file', () => this.undo([this.editor.name])), stage.button('Copy a link', () => this.link()), this.download, this.saved));
+        this.bar = part('div', {className: 'live-bar'}, this.judge,
+            stage.button('Undo', () => this.editor.back()), stage.button('Reset this file', () => this.undo([this.editor.name])), stage.button('Copy a link', () => this.link()), this.download, this.saved);
+        this.element = part('div', {className: 'live-editor', hidden: true}, this.place, this.bar);
         this.open = stage.icon('Edit', () => this.toggle(), {className: 'live-named'});
         this.open.setAttribute('aria-expanded', 'false');
         addEventListener('pagehide', () => this.editor?.flush());
@@ -126,7 +128,7 @@ export class Changes {
     async change(name, text) {
         const {program} = this.stage;
         program.write(name, text); // the program notices that the file has changed, and reloads it
-        const later = [...program.later].some((one) => text.includes(`"${one.slice(one.lastIndexOf('/') + 1)}"`));
+        const later = [...program.later].some((one) => text.includes(`"${nameOf(one)}"`));
         if (later && this.stage.at) program.fetchFiles(this.stage.at.stem, this.stage.line).catch(() => {}); // the text may include files that were not needed before
         this.files[name] = text;
         let stored = edits.keep(name, text); // at once, because the reader may be leaving the page
@@ -199,9 +201,10 @@ export class Changes {
             read: (name) => this.text(name),
             changed: (name, text) => {
                 this.offer({});
+                this.other.hidden = true; // the reader has decided
                 return this.change(name, text);
             },
-            bottom: () => this.stage.error.hidden ? Infinity : this.stage.error.getBoundingClientRect().top,
+            bottom: () => Math.min(...[this.bar, this.stage.error].filter((one) => !one.hidden).map((one) => one.getBoundingClientRect().top)),
         });
         this.show(this.stage.state);
         if (document.activeElement.matches('input:not([type=file])')) return; // the reader is already typing elsewhere, for example the name of a draft
@@ -212,10 +215,12 @@ export class Changes {
     show(state) {
         this.tell();
         if (!this.editor || this.element.hidden || !state) return;
-        this.editor.open(state.files.filter((path) => path.startsWith(PREFIX) && SHADER.test(path)).map((path) => path.slice(PREFIX.length)));
+        const [own, ...parts] = state.files.filter((path) => path.startsWith(PREFIX) && SHADER.test(path)).map((path) => path.slice(PREFIX.length));
+        const named = new Set([...this.text(own).matchAll(/^\s*#\s*include\s+"([^"\n]*)"/gm)].map(([, name]) => nameOf(name))), isNamed = (name) => named.has(nameOf(name));
+        this.editor.open([own, ...parts.filter(isNamed), ...parts.filter((name) => !isNamed(name))]); // what the shader itself includes comes first
         this.editor.complain(state.error.replaceAll(PREFIX, ''));
-        const first = this.editor.name === this.editor.names[0];
-        this.download.textContent = `Download ${first ? 'my.frag' : this.editor.name.slice(this.editor.name.lastIndexOf('/') + 1)}`;
+        const mine = this.editor.name === own && this.stage.program.course.has(own); // a chapter's shader becomes the reader's answer to an exercise
+        this.download.textContent = `Download ${mine ? 'my.frag' : nameOf(this.editor.name)}`;
     }
 
     hand() {

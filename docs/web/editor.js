@@ -41,13 +41,13 @@ export class Editor {
     //   parent   receives the tabs and the text
     //   read     returns the text of a file, given its name
     //   changed  is called with a file's name and its new text, when the reader stops typing
-    //   bottom   returns the position on the screen, in pixels from the top, below which the text is covered; Infinity
-    //            if nothing covers the text
+    //   bottom   returns the position on the screen, in pixels from the top, below which the text is covered
     constructor(parent, {read, changed, bottom}) {
         this.read = read;
         this.changed = changed;
         this.bottom = bottom;
         this.states = new Map(); // the editor's state for each file that has been shown
+        this.places = new Map(); // how far each of these files was scrolled
         this.problems = [];
         this.timer = 0;
         this.tabs = document.createElement('div');
@@ -79,7 +79,7 @@ export class Editor {
                 StreamLanguage.define(shader), colours, lintGutter(), EditorState.tabSize.of(4), indentUnit.of('    '),
                 // Tab is left to the page, so that a reader who uses only the keyboard can leave the editor.
                 keymap.of([...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
-                ...(matchMedia('(max-width: 640px)').matches ? [EditorView.lineWrapping] : []),
+                EditorView.lineWrapping,
                 EditorView.contentAttributes.of({'aria-label': `Text of ${name}`, 'tabindex': '0', 'spellcheck': 'false', 'autocapitalize': 'off'}),
                 EditorView.updateListener.of((update) => {
                     if (!update.docChanged) return;
@@ -131,9 +131,13 @@ export class Editor {
     show(name) {
         if (name !== this.name) {
             this.flush();
-            if (this.name) this.states.set(this.name, this.view.state);
+            if (this.name) {
+                this.states.set(this.name, this.view.state);
+                this.places.set(this.name, this.view.scrollSnapshot());
+            }
             this.name = name;
             this.replace(this.states.get(name) || this.state(name));
+            this.view.dispatch({effects: this.states.has(name) && this.places.get(name) || EditorView.scrollIntoView(0, {y: 'start'})});
         }
         this.names.forEach((one, i) => {
             this.tabs.children[i].setAttribute('aria-selected', one === name);

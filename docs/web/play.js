@@ -87,6 +87,7 @@ async function forget(name) {
     if (!drafts()[name]) return show(); // another tab has removed it
     keep({...drafts(), [name]: {...drafts()[name], deleted: true}});
     if (name === at) {
+        remember();
         opened('');
         chapter.stage?.close();
         chapter.hidden = studio.hidden = true;
@@ -122,6 +123,7 @@ guide.setAttribute('role', 'group');
 //   options  more options for the program
 //   from     the id of the template's button
 async function play(name, base, text = base, {stem = STEM, options = '', from = drafts()[name]?.from} = {}) {
+    remember();
     opened(name);
     field.value = name.replaceAll('_', ' ');
     keep({...drafts(), [name]: {...drafts()[name], base, stem, from}});
@@ -172,6 +174,7 @@ async function begin(name, text, more = {}) {
 async function reopen(name, more = {}) {
     await typed();
     if (!drafts()[name]) return show(); // another tab has removed it
+    if (name === at && draws() && Object.keys(more).length === 0) return chapter.scrollIntoView({block: 'nearest'}); // it is open
     const {base, stem, options, good} = drafts()[name], text = textOf(name), button = (words, run) => {
         const made = make('button', {type: 'button', textContent: words});
         made.addEventListener('click', async () => {
@@ -184,13 +187,24 @@ async function reopen(name, more = {}) {
     said.replaceChildren(`The last change to ${name} was not drawn. `, button('Go back to the previous text', good), ' ', button('Run it', text));
 }
 
+// Is there a picture of the open draft, perhaps of an older text?
+const isDrawn = () => at && drafts()[at] && chapter.classList.contains('live-drawn') && !chapter.program?.lost && shows(at);
+
 // Has the text of the open draft been drawn?
 function draws() {
-    if (!at || !drafts()[at] || !chapter.classList.contains('live-drawn') || chapter.program?.lost || !shows(at)) return false;
+    if (!isDrawn()) return false;
     const {error, compiles} = chapter.program.state();
     return error === '' && !compiles && chapter.program.reread;
 }
-const note = (more) => { const all = drafts(); keep({...all, [at]: {...all[at], ...more, good: textOf(at)}}); };
+// Store more about the open draft, whose text has been drawn. If another tab has stored another text, that tab knows more.
+function note(more) {
+    const all = drafts(), text = textOf(at);
+    if (unstored || (kept()[fileOf(at)] ?? all[at].base) === text) keep({...all, [at]: {...all[at], ...more, ...draws() && {good: text}}});
+}
+
+// Keep the values, the camera and the view of the open draft.
+const remember = () => { if (isDrawn()) note({options: chapter.stage.settings}); };
+
 
 // Draw the picture again, also if nothing has changed, and take a small picture of the canvas at once, before the browser
 // clears the canvas.
@@ -213,7 +227,7 @@ setInterval(() => {
 }, LOOK);
 addEventListener('pagehide', () => {
     leaves = true;
-    if (draws()) note({options: chapter.stage.settings});
+    remember();
     leaves = false;
 });
 
@@ -237,12 +251,14 @@ field.addEventListener('change', async () => {
     const old = at, name = slug(field.value); // another draft may be opened meanwhile
     await typed();
     if (!drafts()[old] || name === old) return;
-    const {base, stem, from} = drafts()[old], text = textOf(old), own = free(name);
-    await play(own, base, text, {stem, from});
+    remember();
+    const {base, stem, from, options} = drafts()[old], text = textOf(old), own = free(name);
+    await play(own, base, text, {stem, from, options});
     if (drafts()[own] && [old, own].every((one) => textOf(one) === text)) remove(old); // otherwise, the reader was typing meanwhile
 });
 box.querySelector('.remix').addEventListener('click', async () => {
     await typed();
+    remember();
     if (drafts()[at]) await play(free(at), textOf(at), textOf(at), drafts()[at]);
 });
 function save(text, name) {

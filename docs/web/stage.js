@@ -420,6 +420,7 @@ export class Stage {
         const error = state.error.replaceAll('/course/', '');
         if (this.error.textContent !== error) this.error.textContent = error;
         this.error.hidden = error === '';
+        this.controls.style.setProperty('--error', `${this.error.offsetHeight}px`);
         // An input that nothing sets is reported over the picture until there is a more serious message.
         const unset = state.unset || (kept?.halves ? HALVES : '');
         if (error === '' && unset !== this.unset) this.note(unset);

@@ -71,6 +71,6 @@ export class Values {
             reset.disabled = value.every((x, i) => x === initial[i]);
             moved ||= !reset.disabled;
         }
-        this.all.hidden = !moved;
+        this.all.disabled = !moved; // it keeps its place, so that nothing below it moves
     }
 }

@@ -144,6 +144,7 @@ check('an error is reported with its line number', (await words()).includes(`${F
 check('the line with the error and the tab of its file are marked', await page.locator('.cm-lint-marker-error').count() === 1 && await page.locator('.live-faulty').count() === 1);
 now = await state(page);
 check('the error is visible below the picture', await page.evaluate(() => { const box = document.querySelector('.live-error').getBoundingClientRect(); return box.height > 0 && box.top >= document.querySelector('.live-canvas').getBoundingClientRect().bottom - 1 && box.bottom <= innerHeight + 1; }));
+check('the buttons below the text are above the error', await page.evaluate(() => { const [bar, error] = ['.live-editor > .live-bar', '.live-error'].map((one) => document.querySelector(one).getBoundingClientRect()); return bar.top > 0 && bar.bottom <= error.top + 1; }));
 check('typing in the editor does not move the camera or change the view', now.camera.every((x, i) => x === eye[i]) && now.view === 'picture', eye, now.camera);
 check('the picture stays visible above the editor', await page.evaluate(() => { const box = document.querySelector('.live-canvas').getBoundingClientRect(); return box.top >= 0 && box.bottom < innerHeight; }));
 

@@ -140,6 +140,23 @@ await page.close();
 
 // ---- The search ----
 
+({page, said} = await open('03_shadows.html'));
+await page.evaluate(() => scrollTo({top: 1500, behavior: 'instant'}));
+await page.getByRole('searchbox').click();
+await page.keyboard.type('shadow', {delay: 20});
+await page.waitForFunction(() => document.querySelector('.found').textContent !== '');
+check('typing into the search field does not scroll the page', await page.evaluate(() => scrollY) === 1500, await page.evaluate(() => scrollY));
+await page.keyboard.press('Escape');
+await page.evaluate(() => scrollTo({top: 0, behavior: 'instant'}));
+await page.locator('.live-start').first().click();
+await runs(page);
+for (const name of ['Values', 'Full screen']) await page.getByRole('button', {name, exact: true}).click();
+await page.waitForFunction(() => document.fullscreenElement);
+await frames(page, 10);
+const [shown, values] = [await page.locator('.live-canvas').boundingBox(), await page.locator('.live-controls').boundingBox()];
+check('in full screen, the values are below the picture', shown.y + shown.height <= values.y + 1 && shown.height > 300, shown, values);
+await page.close();
+
 ({page, said} = await open('00_first_scene.html', PHONE));
 const search = async (words) => {
     await page.getByRole('searchbox').fill(words);

@@ -200,6 +200,7 @@ await drop('03_shadows.glsl', flat('0.0, 1.0, 0.0'));
 await until((s) => s.files?.[0]?.endsWith('/my_03_shadows.frag') && s.rate > 0);
 check('a dropped file with the name of a chapter does not become the chapter\'s shader', (await drafts()).includes('my 03 shadows'), await drafts());
 // A name is typed while the next draft is opened.
+await page.waitForFunction(() => !document.querySelector('.studio .title').disabled);
 await page.evaluate(() => {
     document.querySelector('.draft').click();
     document.querySelector('.title').focus();
@@ -223,6 +224,47 @@ await page.evaluate(() => {
 await page.mouse.move(line.x + 60, line.y + 30, {steps: 3});
 await page.mouse.up();
 check('a text that is replaced while the mouse selects is not selected beyond its end', said.length === 0, said);
+
+// ---- What a draft keeps, and a second tab ----
+
+await page.locator('.starter', {hasText: 'Ball'}).click();
+await until((s) => s.files?.[0]?.endsWith('/ball.frag') && s.rate > 0);
+await page.waitForFunction(() => !document.querySelector('.studio .title').disabled);
+check('the files that a shader names come first in the editor', await page.evaluate(() => [...document.querySelectorAll('[role=tab]')].slice(0, 6).map((tab) => tab.textContent).join(' ')) === 'ball.frag main.glsl camera.glsl march.glsl normal.glsl primitives.glsl', await page.evaluate(() => [...document.querySelectorAll('[role=tab]')].map((tab) => tab.textContent).join(' ')));
+await page.evaluate(() => {
+    const {stage} = document.querySelector('live-chapter');
+    stage.call('live_set', 'radius', 0, 1.5);
+});
+const ball = await page.locator('.live-canvas').boundingBox();
+await page.mouse.move(ball.x + 200, ball.y + 100);
+await page.mouse.down();
+await page.mouse.move(ball.x + 260, ball.y + 120, {steps: 3});
+await page.mouse.up();
+const turned = (await state()).camera.join(), keeps = (s) => s.camera?.join() === turned && s.parameters.find(({name}) => name === 'radius')?.value[0] === 1.5;
+await page.getByRole('button', {name: 'ball', exact: true}).click();
+await frames(page, 30);
+check('a click on the draft that is open changes nothing', keeps(await state()), turned, (await state()).camera);
+await page.getByLabel('Name').fill('round');
+await page.getByLabel('Name').press('Enter');
+now = await until((s) => s.files?.[0]?.endsWith('/round.frag') && s.rate > 0);
+check('a draft that gets another name keeps its values and its camera', keeps(now), turned, now.camera);
+await drop('between.frag', flat('0.0, 0.5, 0.0'));
+await until((s) => s.files?.[0]?.endsWith('/between.frag') && s.rate > 0);
+await page.getByRole('button', {name: 'round', exact: true}).click();
+now = await until((s) => s.files?.[0]?.endsWith('/round.frag') && s.rate > 0);
+check('a draft that is opened again has the values and the camera that it had', keeps(now), turned, now.camera);
+const [second] = await Promise.all([page.context().waitForEvent('page'), page.evaluate(() => { window.open(location.href, '', 'noopener'); })]);
+await second.getByRole('button', {name: 'round', exact: true}).click();
+await second.waitForFunction(() => /^round\.frag runs/.test(document.querySelector('.said').textContent) && document.querySelector('.live-drawn'));
+await page.bringToFront();
+await page.locator('.cm-content').click();
+await page.keyboard.press('Control+Home');
+await page.keyboard.type('// of the first tab\n');
+await page.waitForFunction(() => JSON.stringify({...localStorage}).split('// of the first tab').length > 2); // stored both as a change and as the last text that was drawn
+await second.reload();
+await second.waitForFunction(() => document.querySelector('.live-drawn') || document.querySelector('.said').textContent);
+check('a draft that another tab has changed and drawn runs after a reload', await second.getByRole('button', {name: 'Run it'}).count() === 0, await second.locator('.said').textContent());
+await second.close();
 
 // ---- A link, and a browser that stores nothing ----
 
