@@ -354,6 +354,18 @@ bad_notation() { matches "$1" lines_of '\\(langle|rangle|lVert|rVert|Vert|\|)'; 
 bad_options() { matches "$1" code_of '(^|[ /])build/[0-9][^|>]* -[a-z]( |$)|^-[a-z] '; }
 bad_phrases() { matches "$1" prose_of "(^|[^'])\\b(in place of|under an angle|anew|as it were|(as|by|for|of|to) who) " i; }
 
+# Report what is still to be written on a page: sentences of the template, and figures and exercises that do not exist.
+unwritten() { # PAGE
+    local name
+    grep -nxF -f <(awk 'length > 40 && !/[@`#|<]/' .make/chapter/chapter.md) "$1"
+    code_of "$1" | sed -n 's/^make run FIGURE=\([0-9][^ `]*\).*/\1/p' | while read -r name; do
+        [ -e "chapters/figures/$name.frag" ] || echo "FIGURE=$name: there is no chapters/figures/$name.frag"
+    done
+    code_of "$1" | sed -n 's/^make check EXERCISE=\([0-9]*_[0-9]*\) .*/\1/p' | sort -u | while read -r name; do
+        compgen -G "chapters/solutions/${name%_*}_*_${name#*_}.frag" >/dev/null || echo "EXERCISE=$name: there is no solution of that number in chapters/solutions/"
+    done
+}
+
 # Report the French terms in a page's parentheses that the glossary lacks.
 untranslated() { # PAGE
     prose_of "$1" | grep -o '([*][^*]*[*]' | sed 's/^([*]//; s/[*]$//; s/, /\n/g' | awk -F ' *[|] *' -v page="$1" '
@@ -532,6 +544,7 @@ check_pages() {
         judge "docs/$stem.md: its folds have the usual form, and each question has its answer" \
             "$(bad_folds "docs/$stem.md")"
         judge "docs/$stem.md: has the form of a page" "$(bad_form "docs/$stem.md")"
+        judge "docs/$stem.md: nothing is still to be written" "$(unwritten "docs/$stem.md")"
     done
 }
 
@@ -572,6 +585,9 @@ check_checks() {
     judge 'twelve numbers in a paragraph are accepted' "$(crowded "$scratch/twelve.md")"
     refuses 'angle brackets for a product' '$\langle a, b \rangle$' bad_notation
     refuses 'a phrase that is always wrong' 'a mean in place of a sum' bad_phrases
+    refuses 'a sentence of the template' "$(grep -n '' .make/chapter/chapter.md | sed -n 's/^6://p')" unwritten
+    refuses 'a figure that does not exist' "$(printf '```sh\nmake run FIGURE=00_none\n```')" unwritten
+    refuses 'an exercise without a solution' "$(printf '```sh\nmake check EXERCISE=00_9 FILE=my.frag\n```')" unwritten
     refuses 'a short option' "\`build/${chapters[0]} -t 2\`" bad_options
     refuses 'a French term that the glossary lacks' 'the ray (*rayon*), the **word** (*mot, rayon*)' untranslated
     refuses 'a term listed twice' "$(sed '/^| acne /p' docs/glossary.md)" bad_glossary

@@ -380,7 +380,8 @@ static void promise_options(const struct options *o, int argc)
     promise(o->frames >= 0 && o->fps >= 0.0 && o->benchmark >= 0, "counts are not negative");
     char path[512];
     if (o->frames > 0) {
-        promise(fabs(o->time + o->frames / o->fps) <= 1e9, "the last time is in its range");
+        promise(fabs(o->time + o->frames / (o->fps > 0.0 ? o->fps : OPTIONS_FPS)) <= 1e9,
+                "the last time is in its range");
         capture_begin();
         promise_report(sequence_path(o->output, o->frames - 1, path, sizeof path));
     }
