@@ -36,4 +36,4 @@ if ! (
 fi
 
 printf '%s\n' "chapters/$stem.c, chapters/$stem.frag, docs/$stem.md: written; tests/pictures/images.txt lists the picture" \
-    "next: make docs references; make run CHAPTER=$number; docs/contributing.md describes the other steps"
+    "next: make docs references CHAPTER=$number; make run CHAPTER=$number; docs/contributing.md describes the other steps"

@@ -80,6 +80,9 @@ find "$made/tests/references" -name '*.png' -print0 |
     xargs -0 -P "$(getconf _NPROCESSORS_ONLN)" -n 16 pngquant 160 --speed 7 --skip-if-larger --strip --force --ext .png ||
     [ $? = 123 ] # some would be larger
 rm -f "$made"/tests/pictures/images.sh "$made"/tests/pictures/weak.sh
+for diagram in "$made"/docs/figures/*.svg; do # one that only a solution shows is not in this course
+    grep -qF "figures/${diagram##*/}" "$made"/docs/*.md || rm -f "$diagram" "${diagram%.svg}.c"
+done
 
 # Write the list of the exercises and their pictures.
 {

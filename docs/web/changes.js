@@ -204,7 +204,7 @@ export class Changes {
                 this.other.hidden = true; // the reader has decided
                 return this.change(name, text);
             },
-            bottom: () => Math.min(...[this.bar, this.stage.error].filter((one) => !one.hidden).map((one) => one.getBoundingClientRect().top)),
+            bottom: () => this.stage.error.hidden ? Infinity : Math.min(...[this.bar, this.stage.error].map((one) => one.getBoundingClientRect().top)),
         });
         this.show(this.stage.state);
         if (document.activeElement.matches('input:not([type=file])')) return; // the reader is already typing elsewhere, for example the name of a draft

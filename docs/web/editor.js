@@ -41,7 +41,8 @@ export class Editor {
     //   parent   receives the tabs and the text
     //   read     returns the text of a file, given its name
     //   changed  is called with a file's name and its new text, when the reader stops typing
-    //   bottom   returns the position on the screen, in pixels from the top, below which the text is covered
+    //   bottom   returns the position on the screen, in pixels from the top, below which the text is covered; Infinity
+    //            if nothing covers the text
     constructor(parent, {read, changed, bottom}) {
         this.read = read;
         this.changed = changed;

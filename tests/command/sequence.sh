@@ -237,6 +237,7 @@ prints() { # an option that prints instead of drawing pictures
 }
 check 'make film with an option that draws nothing keeps the old pictures' prints
 # A substitute for ffmpeg that writes an empty GIF, as ffmpeg does for a film of less than a picture.
+# shellcheck disable=SC2016 # the substitute expands the variables
 mkdir "$scratch/empty" && printf '#!/bin/sh\nfor last; do :; done\ncase $last in *.gif) : >"$last" ;; *) echo film >"$last" ;; esac\n' >"$scratch/empty/ffmpeg" && chmod +x "$scratch/empty/ffmpeg"
 short() { ! film "$scratch/empty:$PATH" 1000 && grep -q 'shorter than one picture of a GIF' "$scratch/err" && [ -s "$scratch/project/build/film/00_first_scene.gif" ]; }
 check 'make film refuses a film that is too short for a GIF, and keeps the old one' short

@@ -52,6 +52,8 @@ check_empty 'the gallery of the course for students renders no picture of a solu
 check 'the course for students has a dev container, a workflow and a folder for answers' [ -e "$course/.devcontainer/devcontainer.json" -a -e "$course/.github/workflows/check.yml" -a -x "$course/answers/check.sh" ]
 unnamed() { cat "$course"/README.md "$course"/docs/*.md | grep -qF 01_normal_colouring-steps.png || [ ! -e "$course/tests/references/01_normal_colouring-steps.png" ]; }
 check 'a picture that no page shows is left out' unnamed
+diagrams() { for diagram in "$course"/docs/figures/*.svg; do grep -qF "figures/${diagram##*/}" "$course"/docs/*.md || return; done; }
+check 'a page shows each diagram, as the tests in the course require' diagrams
 firsts() { for page in docs/[0-9][0-9]_*.md; do [ -e "$course/tests/references/$(basename "$page" .md).png" ] || return; done; }
 check 'the first picture of each chapter is there' firsts
 small() { du -sk "$course/tests/references" | awk '{ print "# " $1 " KB of pictures"; exit !($1 < 15000) }'; }
