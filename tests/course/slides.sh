@@ -53,7 +53,7 @@ check 'the guide for teachers has at least 19 labs' [ "$labs" -ge 19 ]
 check 'each lab has two pages in the handouts' [ "$(pages handouts)" = $((2 * labs)) ]
 check 'each lab has a page with its answers' [ "$(pages handouts-answers)" = "$labs" ]
 apart() { # true if the handouts have a question of each kind, and only the answer sheets have the answers
-    has handouts 'How many reflections draw 4096 tetrahedra?' && has handouts-answers 'three for each of six levels' &&
+    has handouts 'How many reflections draw 4,096 tetrahedra?' && has handouts-answers 'three for each of six levels' &&
         ! has handouts 'three for each of six levels' && has handouts 'Does the ball cast a shadow on the wall?' &&
         has handouts-answers 'it hits the ball behind the lamp' && ! has handouts 'it hits the ball behind the lamp'
 }
