@@ -13,6 +13,7 @@ set -u
 [ -z "${MARCHES-}" ] || exec .make/marches.sh
 page=docs/benchmark.md
 rounds=${ROUNDS:-3}
+case $rounds in '' | *[!0-9]* | 0*) fail 2 "ROUNDS=$rounds: must be a whole number of at least 1" ;; esac
 frames=${FRAMES:-15}
 if [ -n "${CHAPTER-}" ] && [ "${WRITE:-0}" != 0 ]; then
     fail 1 'WRITE=1 writes the table of all chapters and cannot be combined with CHAPTER'
