@@ -22,7 +22,7 @@ fi
 
 begin build/film || exit 1
 mkdir "$new/$stem" && "build/$stem" "$@" --frames "$frames" --fps "$fps" -o "$new/$stem/frame-%04d.png" || exit 1
-[ -n "$(find "$new/$stem" -name '*.png' -print -quit)" ] || fail 1 "$*: with these options, build/$stem writes no pictures: leave out the one that prints"
+[ -n "$(find "$new/$stem" -name '*.png' -print -quit)" ] || fail 1 "$*: with these options, build/$stem writes no pictures: leave out the option that prints"
 keep "$stem" || exit 1
 
 # Players expect colours at half the resolution, which requires an even width and height. The file states which

@@ -205,7 +205,6 @@ function note(more) {
 // Keep the values, the camera and the view of the open draft.
 const remember = () => { if (isDrawn()) note({options: chapter.stage.settings}); };
 
-
 // Draw the picture again, also if nothing has changed, and take a small picture of the canvas at once, before the browser
 // clears the canvas.
 function picture() {

@@ -138,7 +138,7 @@ check('the start button is at the bottom left of the picture', button.x + button
 check('all buttons have the font of the lists of pages', await page.evaluate(() => new Set(['.live-start', '.run', '.sheet-edit', '.contents'].map((one) => getComputedStyle(document.querySelector(one)).fontFamily)).size) === 1);
 await page.close();
 
-// ---- The search ----
+// ---- Full screen, and the search ----
 
 ({page, said} = await open('03_shadows.html'));
 await page.evaluate(() => scrollTo({top: 1500, behavior: 'instant'}));
