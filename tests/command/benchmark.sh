@@ -157,5 +157,13 @@ marched() {
     done
 }
 check 'docs/benchmark.md has both rows of every scene that is marched' marched
+refused() { # without WRITE, so that a failure harms no page
+    local rounds
+    for rounds in 0 -1 x nan; do
+        ROUNDS=$rounds CHAPTER=00 .make/benchmark.sh >"$scratch/out" 2>"$scratch/err"
+        [ $? = 2 ] && [ ! -s "$scratch/out" ] && [ "$(grep -c '' "$scratch/err")" = 1 ] && grep -q "ROUNDS=$rounds: must be" "$scratch/err" || return
+    done
+}
+check 'make benchmark of no rounds is refused, in one line' refused
 
 plan
